@@ -52,7 +52,7 @@ def test_motors_stop_soon_after_a_fault(
     worst = 0.0
     for _ in range(_ROUNDS):
         simulator = SimulatorProcess(*board, *options)
-        window = DrivingProcess(simulator, tmp_path, "usual", str(baud))
+        window = DrivingProcess(simulator, tmp_path, "default", str(baud))
         try:
             window.drive()
             start = time.perf_counter()

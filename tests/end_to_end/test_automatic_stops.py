@@ -56,12 +56,12 @@ def test_window_shows_stop_reason_and_can_arm_again(
     wait_for_banner(window, causes, stopped(LOCKED))
     assert window.text("motorStateLabel") == f"Stopped. {LOCKED}."
     assert f"Stop: {LOCKED}." in [event.text for event in window.device.events.all]
-    assert not causes.mistakes
+    assert not causes.exceptions
 
     drive(window, quick_simulator)
     causes.raise_in_slot()
     wait_for_banner(window, causes, stopped(MISTAKEN))
-    assert causes.mistakes == [ValueError]
+    assert causes.exceptions == [ValueError]
     assert is_stopped(quick_simulator)
     drive(window, quick_simulator)
 
@@ -79,7 +79,7 @@ def test_repeated_error_disarms_motors_again(
     window.wait(lambda: not window.motors.armed)
     reports = len(causes.reports)
     causes.raise_in_slot()
-    window.wait(lambda: len(causes.mistakes) == 3)
+    window.wait(lambda: len(causes.exceptions) == 3)
     window.wait(lambda: not window.device.may_move)
     assert len(causes.reports) <= reports + 1, "the outcome of the stop only"
 

@@ -404,10 +404,10 @@ def test_desktop_stops_motors_and_sleep_waits_for_it(
     window = start(DBUS_SESSION_BUS_ADDRESS=address, DBUS_SYSTEM_BUS_ADDRESS=address)
     qtbot.waitUntil(lambda: logind.held == 1)
     window.drive()
-    logind.say_sleep(begins=True)
+    logind.announce_sleep(begins=True)
     qtbot.waitUntil(lambda: logind.held == 0)
     assert is_stopped(quick_simulator), "now the computer sleeps"
-    logind.say_sleep(begins=False)
+    logind.announce_sleep(begins=False)
     qtbot.waitUntil(lambda: logind.held == 1)
 
     signals: tuple[tuple[str, str, str, list[Any]], ...] = (

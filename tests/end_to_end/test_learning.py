@@ -54,13 +54,13 @@ def test_all_channels_are_learned_and_tested(
         }
     )
     connected_window.trigger("learn")
-    learning.wait_for_head("Release every stick")
+    learning.wait_for_note("Release every stick")
     check_keyboard(learning.dialog)
     learning.dialog.activateWindow()
     learning.wait(lambda: learning.button("learnNextButton").hasFocus())
     for _ in range(2):  # Next becomes disabled, and Cancel does not get the focus
         QTest.keyClick(learning.dialog.windowHandle(), Qt.Key.Key_Return)
-    learning.wait_for_head("forward or right first")
+    learning.wait_for_note("forward or right first")
     check_keyboard(learning.dialog)
     learning.push(1, -1)
     learning.finish_travel()
@@ -74,7 +74,7 @@ def test_all_channels_are_learned_and_tested(
     assert not learning.dialog.isVisible()
     connected_window.click("writeButton")
     # The test starts automatically.
-    learning.wait_for_head("Push every stick")
+    learning.wait_for_note("Push every stick")
     check_keyboard(learning.dialog)
     assert not connected_window.find(QDialog, "reviewDialog").isVisible(), "its result is read"
     assert learning.device.draft.pending == 0
@@ -86,7 +86,7 @@ def test_all_channels_are_learned_and_tested(
     learning.push(1, -1)
     for channel in CHANNELS:
         learning.wait_for_text(f"learnTest{channel}", "Good.")
-    learning.wait_for_head("Every channel works as it should")
+    learning.wait_for_note("Every channel works as it should")
     learning.click("learnCloseButton")
     assert not learning.dialog.isVisible()
 
@@ -111,7 +111,7 @@ def test_safe_start_ends_at_the_learned_rest_positions(
     start_in(learning, "rc")
     learning.hold()
     assert show()["safe_start"] is True
-    learning.transmitter.let_go()
+    learning.transmitter.release()
     learning.wait(lambda: show()["safe_start"] is False)
     assert show()["aux"]["speed"] == 0
 

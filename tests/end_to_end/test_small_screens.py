@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from tests.support.accessible_names import said_of
+from tests.support.accessible_names import accessible_text
 from tests.support.catalogs import in_language
 from tests.support.keyboard import check_keyboard
 from tests.support.mouse import turn_wheel
@@ -99,7 +99,9 @@ def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> N
         if isinstance(each, QAbstractButton | QAbstractSlider | QComboBox)
         and each.objectName().startswith(panel.removesuffix("Panel"))
     ]
-    assert len({said_of(each, QAccessible.Text.Name) for each in handled}) == len(handled) > 20
+    assert (
+        len({accessible_text(each, QAccessible.Text.Name) for each in handled}) == len(handled) > 20
+    )
     assert all(each.toolTip() for each in handled)
 
 

@@ -83,7 +83,7 @@ CASES = list(product(CAUSES, PROGRAMS))
 
 def _command(program: str, url: str, *, drive: bool) -> list[str]:
     if program.startswith("window"):
-        return [sys.executable, "-m", "tests.support.driven_window", url, "usual"]
+        return [sys.executable, "-m", "tests.support.driven_window", url, "default"]
     if program.startswith("trexcmd"):
         words = ["motor", "1", "50"] if drive else ["status"]
         return [sys.executable, "-m", "trex_gui.cli", *words, "--port", url]
@@ -169,7 +169,7 @@ def _die(cause: str, program: str, board: SimulatorProcess, folder: Path) -> str
         _STARTED.append(process.pid)
         if program.startswith("window"):
             assert process.stdin is not None
-            process.stdin.write("drive\n" if len(_STARTED) == 1 else "only_watch\n")
+            process.stdin.write("drive\n" if len(_STARTED) == 1 else "stop_driving\n")
             process.stdin.flush()
         return process
 

@@ -1,4 +1,4 @@
-"""Check that everything a screen reader visits has a name."""
+"""Checks of the names and descriptions that a screen reader speaks."""
 
 import re
 
@@ -17,25 +17,25 @@ from PySide6.QtWidgets import (
 
 from trex_gui.ui.widgets.accessible import Spoken
 
-_OFTEN_SILENT = {"bannerText"}
-"""Widgets that are usually empty, but can take the focus."""
+_USUALLY_EMPTY = {"bannerText"}
+"""Widgets that are usually empty, but can accept the focus."""
 
 
 def is_part(widget: QWidget) -> bool:
-    """Return whether a widget belongs to another widget that has the name."""
-    classes = {each.metaObject().className() for each in _up_from(widget)}
+    """Return whether a widget is part of a compound widget, which has the name."""
+    classes = {each.metaObject().className() for each in _with_parents(widget)}
     is_inside = widget.focusProxy() is widget.parentWidget() and not widget.objectName()
     return (
         is_inside or widget.objectName().startswith("qt_") or "QComboBoxPrivateContainer" in classes
     )
 
 
-def _up_from(widget: QWidget) -> list[QWidget]:
-    above = widget.parentWidget()
-    return [widget, *(_up_from(above) if above is not None else [])]
+def _with_parents(widget: QWidget) -> list[QWidget]:
+    parent = widget.parentWidget()
+    return [widget, *(_with_parents(parent) if parent is not None else [])]
 
 
-def takes_part(widget: QWidget) -> bool:
+def is_visited(widget: QWidget) -> bool:
     """Return whether a screen reader visits a widget."""
     if isinstance(widget, QScrollArea):  # frame around named widgets
         return False
@@ -47,7 +47,7 @@ def takes_part(widget: QWidget) -> bool:
         and bool(widget.objectName())
     )
     focusable = widget.focusPolicy() is not Qt.FocusPolicy.NoFocus
-    return focusable or is_area or is_viewport or widget.objectName() in _OFTEN_SILENT
+    return focusable or is_area or is_viewport or widget.objectName() in _USUALLY_EMPTY
 
 
 def is_painted(widget: QWidget) -> bool:
@@ -56,51 +56,51 @@ def is_painted(widget: QWidget) -> bool:
 
 
 def overrides(widget: QWidget, method: str) -> bool:
-    """Return whether a class of the program, not of Qt, has a method."""
+    """Return whether a class of the program defines a method of a widget."""
     kinds = [kind for kind in type(widget).__mro__ if kind.__module__.startswith("trex_gui.")]
     return any(method in vars(kind) for kind in kinds)
 
 
-def said_of(widget: QWidget, kind: QAccessible.Text) -> str:
-    """Return the texts for a screen reader."""
+def accessible_text(widget: QWidget, kind: QAccessible.Text) -> str:
+    """Return the name, description or other text for a screen reader."""
     interface = QAccessible.queryAccessibleInterface(widget)
     return interface.text(kind) if interface is not None else ""
 
 
 def path_of(widget: QWidget) -> str:
-    path = [each.objectName() or type(each).__name__ for each in _up_from(widget)[:5]]
+    path = [each.objectName() or type(each).__name__ for each in _with_parents(widget)[:5]]
     return f"{type(widget).__name__}: {' < '.join(path)}"
 
 
 def nameless(root: QWidget) -> list[str]:
-    """Return the widgets without an accessible name. A buddy or a text counts as a name."""
+    """Return the paths of widgets without a name, a text or a label as buddy."""
     found = []
     for widget in [root, *root.findChildren(QWidget)]:
-        counts = takes_part(widget) and not is_part(widget)
+        needs_name = is_visited(widget) and not is_part(widget)
         if (
-            (counts or is_painted(widget))
+            (needs_name or is_painted(widget))
             and widget.window().isVisible()
-            and not said_of(widget, QAccessible.Text.Name).strip()
+            and not accessible_text(widget, QAccessible.Text.Name).strip()
         ):
             found.append(path_of(widget))
     return sorted(set(found))
 
 
 def unspoken(root: QWidget) -> list[str]:
-    """Return the widgets that do not describe their content to a screen reader."""
+    """Return the widgets whose content a screen reader does not speak, with the reason."""
     found = []
-    shown = [each for each in root.findChildren(QWidget) if each.isVisibleTo(root)]
-    named = {each.buddy() for each in shown if isinstance(each, QLabel)}
-    for widget in shown:
+    visible = [each for each in root.findChildren(QWidget) if each.isVisibleTo(root)]
+    labelled = {each.buddy() for each in visible if isinstance(each, QLabel)}
+    for widget in visible:
         name, description = (
-            " ".join(said_of(widget, kind).split())
+            " ".join(accessible_text(widget, kind).split())
             for kind in (QAccessible.Text.Name, QAccessible.Text.Description)
         )
         match widget:
             case QLabel() if plain_text(widget) not in f"{name} {description}":
-                found.append(f"its name hides its text: {path_of(widget)}")
+                found.append(f"the name replaces the text: {path_of(widget)}")
             # On Linux the name of a combo box is its text.
-            case QComboBox() if widget not in named and not description:
+            case QComboBox() if widget not in labelled and not description:
                 found.append(f"neither a label nor a description: {path_of(widget)}")
             case QAbstractSlider() | QProgressBar() if is_painted(widget) and not description:
                 found.append(f"no description: {path_of(widget)}")

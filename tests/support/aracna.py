@@ -7,14 +7,14 @@ from trex_gui.devices.aracna.simulator.control import control
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 
 BOOT = 1.1
-"""Seconds after which a switched-on board listens."""
+"""Seconds from switching on until the board listens."""
 
 
 class AracnaHarness:
-    """Robot and its wire in virtual time.
+    """Simulated robot and its wire in virtual time.
 
-    `options` are `AracnaLine`'s: `motors`, `positions`, `boot_loader` …
-    `stage.line.servos[3].alive = False` and `stage.do("servo 3 dead")` do the same.
+    `options` are options of `AracnaLine`: `motors`, `positions`, `boot_loader` …
+    `harness.do("servo 3 dead")` has the effect of `harness.line.servos[3].alive = False`.
     """
 
     def __init__(
@@ -40,7 +40,6 @@ class AracnaHarness:
 
     @property
     def positions(self) -> tuple[int, ...]:
-        """Positions of the servos."""
         return tuple(round(servo.position) for servo in self.line.servos)
 
     @property
@@ -50,16 +49,15 @@ class AracnaHarness:
 
     @property
     def speeds(self) -> tuple[int, ...]:
-        """Speeds that the servos hold."""
         return tuple(servo.speed for servo in self.line.servos)
 
     def do(self, *lines: str) -> str:
         """Execute control lines. Return the text after the last `ok`."""
-        answer = ""
+        reply = ""
         for line in lines:
-            answer = control(self.line, line)
-            assert answer.startswith("ok"), f"{line}: {answer}"
-        return answer.removeprefix("ok").strip()
+            reply = control(self.line, line)
+            assert reply.startswith("ok"), f"{line}: {reply}"
+        return reply.removeprefix("ok").strip()
 
     def request(self, line: bytes, seconds: float = 5.0) -> bytes:
         """Send bytes, let time pass, and return the received bytes."""

@@ -1,4 +1,4 @@
-"""Translations of the texts in an English window, from the files of Linguist."""
+"""Translations of English texts, from the translation files of the program."""
 
 import re
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ from trex_gui.core.translation import use_translations
 from trex_gui.ui.translations import CONTEXT, ENGLISH, LANGUAGES, install_translations
 
 OTHER_LANGUAGES = sorted(LANGUAGES.keys() - {"en"})
-_PLACE = re.compile(r"%n|\{[^{}]*\}")
+_PLACEHOLDER = re.compile(r"%n|\{[^{}]*\}")
 
 
 @contextmanager
@@ -33,7 +33,7 @@ def in_language(app: QApplication, locale: QLocale) -> Iterator[None]:
 def translation(language: str, text: str) -> str:
     """Return the translation of an English text, with its placeholders.
 
-    A text that is not from the program stays as it is.
+    Returns a text that is not in the translation files unchanged.
     """
     source = _source(text) or _source(text.removesuffix(":"))
     return _texts(language)[source][-1] if source else text
@@ -46,7 +46,7 @@ def translation_of_qt(language: str, text: str) -> str:
 
 @cache
 def _texts(language: str) -> dict[str, tuple[str, ...]]:
-    """Return translations or plural forms by source. Empty for English."""
+    """Return the translation or the plural forms of each source text. Empty for English."""
     file = resource("translations") / f"trex_gui_{language}.ts"
     read = load_script("translations").read(file)
     return {text.source: forms for text, forms in read.items()}
@@ -70,11 +70,11 @@ def _source(text: str) -> str | None:
 
 @cache
 def _patterns() -> list[tuple[re.Pattern[str], str]]:
-    """Return patterns for texts with a mnemonic or placeholders, and their sources."""
+    """Return patterns for texts with a mnemonic and placeholders, each with its source."""
     found = []
     for source in _texts(OTHER_LANGUAGES[0]):
-        has_both = "&" in source and _PLACE.search(source)
+        has_both = "&" in source and _PLACEHOLDER.search(source)
         for form in _texts("en").get(source, (source,)) if has_both else ():
-            parts = map(re.escape, _PLACE.split(form))
+            parts = map(re.escape, _PLACEHOLDER.split(form))
             found.append((re.compile("(.+)".join(parts)), source))
     return found

@@ -1,4 +1,4 @@
-"""Events that make the program stop all motors by itself."""
+"""Events at which the program stops all motors automatically."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -18,30 +18,33 @@ class Causes:
     """Supervised window and the events that stop its motors.
 
     Attributes:
-        reports: every text that reported a stop, in order.
+        reports: texts of the reported stops, in order.
     """
 
     def __init__(
-        self, window: WindowDriver, watching: SafetySupervisor, caught: Sequence[tuple[Any, ...]]
+        self,
+        window: WindowDriver,
+        supervisor: SafetySupervisor,
+        exceptions: Sequence[tuple[Any, ...]],
     ) -> None:
         self._window = window
-        self._watching = watching
-        self._caught = caught
+        self._supervisor = supervisor
+        self._exceptions = exceptions
         self.reports: list[str] = []
         window.program.device_manager.stop_reported.connect(self.reports.append)
 
     @property
-    def mistakes(self) -> list[type[BaseException]]:
+    def exceptions(self) -> list[type[BaseException]]:
         """Types of the uncaught exceptions."""
-        return [kind for kind, *_ in self._caught]
+        return [kind for kind, *_ in self._exceptions]
 
     @property
     def banner(self) -> str:
-        """Text of the banner, or empty."""
+        """Text of the banner. Empty without a banner."""
         return self._window.text("bannerText") if self._window.has("bannerText") else ""
 
     def raise_in_slot(self) -> None:
-        """Raise an uncaught exception in a slot, a moment later."""
+        """Raise an exception in a slot as soon as the event loop runs."""
 
         def fail() -> None:
             raise ValueError("on purpose")
@@ -49,20 +52,20 @@ class Causes:
         QTimer.singleShot(0, fail)
 
     def lock_the_screen(self) -> None:
-        """Deliver a signal of the desktop from the bus."""
-        events = self._watching.findChild(SessionEvents)
+        """Deliver the signal that the desktop sends on the message bus."""
+        events = self._supervisor.findChild(SessionEvents)
         assert events is not None
         assert QMetaObject.invokeMethod(events, "_on_locked")
 
 
 @contextmanager
 def watched(program: Program, qtbot: QtBot, app: QApplication) -> Iterator[Causes]:
-    """Supervise a program as at its start. Exceptions in slots are recorded."""
-    with qtbot.captureExceptions() as mistakes:
-        watching = SafetySupervisor(program, app)
-        causes = Causes(WindowDriver(program, qtbot), watching, mistakes)
+    """Supervise a program like its start does. Record exceptions in slots."""
+    with qtbot.captureExceptions() as exceptions:
+        supervisor = SafetySupervisor(program, app)
+        causes = Causes(WindowDriver(program, qtbot), supervisor, exceptions)
         try:
             yield causes
         finally:
-            watching.close()
-            watching.deleteLater()
+            supervisor.close()
+            supervisor.deleteLater()

@@ -1,4 +1,4 @@
-"""Contrast between colours."""
+"""Contrast of texts with the colours behind them."""
 
 import re
 from collections.abc import Iterator
@@ -32,19 +32,20 @@ def luminance(color: QColor) -> float:
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
-def contrast(one: QColor, other: QColor) -> float:
-    dark, light = sorted((luminance(one), luminance(other)))
+def contrast(first: QColor, second: QColor) -> float:
+    """Return the contrast ratio, from 1 to 21. Ref: WCAG 2.2."""
+    dark, light = sorted((luminance(first), luminance(second)))
     return (light + 0.05) / (dark + 0.05)
 
 
-def needed_for(font: QFontInfo) -> float:
+def min_contrast(font: QFontInfo) -> float:
     """Return the smallest allowed contrast of text in a font. Ref: WCAG 2.2, 1.4.3."""
     points = font.pointSizeF()
     return 3.0 if points >= 18 or (points >= 14 and font.bold()) else 4.5
 
 
 def weak_texts(window: QWidget) -> dict[str, float]:
-    """Return the texts of a window with too little contrast, even disabled texts."""
+    """Return the contrast of each text that has too little. Checks disabled texts too."""
     pixels, weak = _pixels(window.grab().toImage()), {}
     for widget in window.findChildren(QWidget):
         if not widget.isVisibleTo(window) or widget.window() is not window:
@@ -52,13 +53,13 @@ def weak_texts(window: QWidget) -> dict[str, float]:
         place = QRect(widget.mapTo(window, QPoint()), widget.size()).intersected(window.rect())
         if place.isEmpty():
             continue
-        for what, text, behind in _texts(widget):
+        for name, color, backgrounds in _texts(widget):
             has_frame = isinstance(widget, _FRAMED)
-            within = pixels[place.top() : place.bottom() + 1, place.left() : place.right() + 1]
-            found = behind or [_background(within, has_frame=has_frame)]
-            least = min(contrast(text, each) for each in found)
-            if least < needed_for(widget.fontInfo()):
-                weak[f"{widget.objectName() or type(widget).__name__} {what}"] = round(least, 2)
+            area = pixels[place.top() : place.bottom() + 1, place.left() : place.right() + 1]
+            known = backgrounds or [_background(area, has_frame=has_frame)]
+            least = min(contrast(color, background) for background in known)
+            if least < min_contrast(widget.fontInfo()):
+                weak[f"{widget.objectName() or type(widget).__name__} {name}"] = round(least, 2)
     return weak
 
 
@@ -70,7 +71,7 @@ def _pixels(picture: QImage) -> NDArray[np.uint32]:
 
 
 def _background(pixels: NDArray[np.uint32], *, has_frame: bool) -> QColor:
-    """Return the colour behind a text: inside its frame, or the most frequent colour."""
+    """Return the most frequent colour, in a widget with a frame near its lower edge."""
     height, width = pixels.shape
     if has_frame:
         sample = pixels[max(height - 5, 0), width // 4 : max(width - width // 4, 1)]
@@ -86,7 +87,7 @@ _INLINE = re.compile(r"color:\s*(#[0-9a-fA-F]{6})")
 
 
 def _texts(widget: QWidget) -> Iterator[tuple[str, QColor, list[QColor]]]:
-    """Yield texts, their colours, and the colour behind them if known."""
+    """Yield the name and colour of each text, and its background colours if known."""
     palette = widget.palette()
     match widget:
         case QAbstractItemView() if not isinstance(widget, QHeaderView):
@@ -109,14 +110,14 @@ def _texts(widget: QWidget) -> Iterator[tuple[str, QColor, list[QColor]]]:
 
 
 def _base(widget: QWidget) -> QColor:
-    """Return the colour behind the rows of a view, which may be transparent."""
+    """Return the background colour of a view. A transparent view shows its parent's."""
     brush, parent = widget.palette().brush(QPalette.ColorRole.Base), widget.parentWidget()
     is_transparent = brush.style() is Qt.BrushStyle.NoBrush
     return _base(parent) if is_transparent and parent is not None else brush.color()
 
 
 def _cells(view: QAbstractItemView) -> Iterator[tuple[str, QColor, list[QColor]]]:
-    """Yield the visible rows. All selected rows share their colours."""
+    """Yield the cells, and once the colours that all selected rows share."""
     model, palette, role = view.model(), view.palette(), QPalette.ColorRole
     selected = palette.color(role.Highlight)
     yield "selection", palette.color(role.HighlightedText), [selected]
@@ -127,9 +128,11 @@ def _cells(view: QAbstractItemView) -> Iterator[tuple[str, QColor, list[QColor]]
     for row in range(min(model.rowCount(), 40)):
         for column in range(columns):
             index = model.index(row, column)
-            text, fill = (
+            foreground, background = (
                 index.data(kind)
                 for kind in (Qt.ItemDataRole.ForegroundRole, Qt.ItemDataRole.BackgroundRole)
             )
-            color = QBrush(text).color() if text is not None else palette.color(role.Text)
-            yield f"{row}, {column}", color, rows if fill is None else [QBrush(fill).color()]
+            is_plain = foreground is None
+            color = palette.color(role.Text) if is_plain else QBrush(foreground).color()
+            colors = rows if background is None else [QBrush(background).color()]
+            yield f"{row}, {column}", color, colors

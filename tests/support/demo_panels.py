@@ -1,4 +1,4 @@
-"""Helpers for tests of demo panels."""
+"""Simulator that records the control lines of a demo panel."""
 
 from collections.abc import Callable
 
@@ -8,8 +8,6 @@ from trex_gui.ui.devices.simulator import Simulator
 
 
 class RecordingSimulator(Simulator):
-    """Simulator that records its control lines."""
-
     def __init__(self, plugin: DevicePlugin = TREX) -> None:
         super().__init__(plugin)
         self.lines: list[str] = []
@@ -18,5 +16,6 @@ class RecordingSimulator(Simulator):
         self.lines.append(line)
         super().send(line, then)
 
-    def orders(self) -> list[str]:
+    def changes(self) -> list[str]:
+        """Return the control lines that do not only read the state."""
         return [line for line in self.lines if line != "show"]

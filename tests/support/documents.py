@@ -1,4 +1,4 @@
-"""Immediate saving of a document."""
+"""Saving of a document in the calling thread."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -13,10 +13,10 @@ class SavedDocument(Protocol):
 
 
 def save_now(
-    document: SavedDocument, make: Callable[[], Content], path: Path | None = None
+    document: SavedDocument, get_content: Callable[[], Content], path: Path | None = None
 ) -> None:
-    """Save the content that `make` returns, by default in the document's own file."""
-    target, content = path or document.path, make()
+    """Save the content of a document, by default in its own file."""
+    target, content = path or document.path, get_content()
     assert target is not None
     save(target, content.text)
     content.record_saved(target)

@@ -1,10 +1,12 @@
-"""The whole program in a process of its own, driving motors until something goes wrong.
+"""The whole program in a separate process, which drives motors until it fails on request.
 
-Run as `python -m tests.support.driven_window URL`; takes lines on stdin. At `drive` it drives all
-motors, again whenever they were stopped, and prints `driving` once they do; `only_watch` ends that.
-Every other line is the name of something that goes wrong. With `usual` behind the URL it waits no
-longer for its own window than the program does by itself. A third argument is the baud rate. What
-hangs prints `hanging` before; `recording` says that something was recorded.
+Run as `python -m tests.support.driven_window URL [TIMEOUTS [BAUD]]`. With `default` as TIMEOUTS the
+program has its own timeouts, otherwise longer ones.
+
+Each line on stdin is the name of a method of `Driver`. After `drive` the program arms and drives
+all motors, again after each stop, and prints `driving` when it first does so. After `stop_driving`
+it drives no more and prints `stopped_driving`. The other methods cause a fault. Before the program
+hangs it prints `hanging`. Once some samples are recorded it prints `recording`.
 """
 
 import os
@@ -35,15 +37,15 @@ from trex_gui.ui.program import Program
 
 SPEEDS = {1: 30, 2: -30}
 AUXILIARY = 35
-HANGING = 30.0  # seconds
-ENOUGH = 100  # samples
+HANG_S = 30.0
+RECORDED_SAMPLES = 100
 
 
 def raise_error(kind: type[BaseException]) -> None:
     raise kind("on purpose")
 
 
-class Failing(QObject):
+class FailingFilter(QObject):
     """Event filter that fails once."""
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -60,7 +62,7 @@ class FailingWidget(QWidget):
 
 
 class Driver(QObject):
-    """Performs the actions of a user, and events that a user cannot cause."""
+    """Performs actions of a user, and causes faults."""
 
     def __init__(self, program: Program) -> None:
         super().__init__(program.window)
@@ -68,15 +70,15 @@ class Driver(QObject):
         self._motors = trex(program).device.motors
         self._has_driven = False
         self._timer = QTimer(self)
-        self._timer.timeout.connect(self._drive_as_soon_as_possible)
+        self._timer.timeout.connect(self._drive_if_possible)
         self._timer.setInterval(20)
-        self._orders = QSocketNotifier(0, QSocketNotifier.Type.Read, self)
-        self._orders.activated.connect(self._on_order)
-        self._mistake = QTimer(self)
-        self._mistake.setSingleShot(True)
-        self._mistake.timeout.connect(partial(raise_error, ZeroDivisionError))
+        self._commands = QSocketNotifier(0, QSocketNotifier.Type.Read, self)
+        self._commands.activated.connect(self._on_command)
+        self._failure = QTimer(self)
+        self._failure.setSingleShot(True)
+        self._failure.timeout.connect(partial(raise_error, ZeroDivisionError))
 
-    def _drive_as_soon_as_possible(self) -> None:
+    def _drive_if_possible(self) -> None:
         if (
             trex(self._program).device.link is not ConnectionState.CONNECTED
             or not self._motors.is_available
@@ -91,28 +93,28 @@ class Driver(QObject):
         self._motors.set_auxiliary(AUXILIARY)
         if not self._has_driven:
             self._has_driven = True
-            self._say("driving")
+            self._print("driving")
 
-    def _say(self, word: str) -> None:
+    def _print(self, word: str) -> None:
         sys.stdout.write(f"{word}\n")
         sys.stdout.flush()
 
-    def _on_order(self) -> None:
+    def _on_command(self) -> None:
         self._timer.stop()
-        for order in os.read(0, 4096).decode().split():
-            getattr(self, order)()
+        for command in os.read(0, 4096).decode().split():
+            getattr(self, command)()
 
     def drive(self) -> None:
         self._has_driven = False
         self._timer.start()
 
-    def only_watch(self) -> None:
-        self._say("watching")
+    def stop_driving(self) -> None:
+        self._print("stopped_driving")
 
-    def mistake_in_a_slot(self) -> None:
-        self._mistake.start(0)
+    def error_in_a_slot(self) -> None:
+        self._failure.start(0)
 
-    def mistake_in_a_thread(self) -> None:
+    def error_in_a_thread(self) -> None:
         threading.Thread(target=raise_error, args=(IndexError,)).start()
 
     def exit_in_a_thread(self) -> None:
@@ -121,11 +123,11 @@ class Driver(QObject):
     def interrupt_in_a_slot(self) -> None:
         QTimer.singleShot(0, partial(raise_error, KeyboardInterrupt))
 
-    def mistake_in_an_event_filter(self) -> None:
-        self._program.window.installEventFilter(Failing(self._program.window))
+    def error_in_an_event_filter(self) -> None:
+        self._program.window.installEventFilter(FailingFilter(self._program.window))
         self._program.window.update()
 
-    def mistake_while_painting(self) -> None:
+    def error_while_painting(self) -> None:
         FailingWidget(self._program.window).show()
 
     def exit_in_a_slot(self) -> None:
@@ -135,7 +137,7 @@ class Driver(QObject):
         signal.signal(signal.SIGWINCH, lambda *_: sys.exit(3))
         os.kill(os.getpid(), signal.SIGWINCH)
 
-    def mistake_nobody_can_catch(self) -> None:
+    def error_in_a_destructor(self) -> None:
         class Dying:
             def __del__(self) -> None:
                 raise_error(RecursionError)
@@ -146,10 +148,10 @@ class Driver(QObject):
         def collect(*_: object) -> None:
             raise SystemExit("on purpose")  # not caught by exception handlers
 
-        setattr(open_line.OpenLine, "collect", collect)  # noqa: B010 - on purpose
+        setattr(open_line.OpenLine, "collect", collect)  # noqa: B010
 
     def close_the_descriptor(self) -> None:
-        """Close the port, as a fault elsewhere in the process can."""
+        """Close the port like a fault elsewhere in the process."""
         for link in Path("/proc/self/fd").iterdir():
             with suppress(OSError):
                 if str(link.readlink()).startswith("/dev/pts/"):
@@ -157,18 +159,18 @@ class Driver(QObject):
 
     def hang_the_line(self) -> None:
         def poll(*_: object) -> None:
-            self._say("hanging")
-            time.sleep(HANGING)
+            self._print("hanging")
+            time.sleep(HANG_S)
 
-        setattr(board_reader, "poll", poll)  # noqa: B010 - not the name's own module
+        setattr(board_reader, "poll", poll)  # noqa: B010
 
     def hang(self) -> None:
-        self._say("hanging")
-        time.sleep(HANGING)
+        self._print("hanging")
+        time.sleep(HANG_S)
 
     def hang_computing(self) -> None:
-        self._say("hanging")
-        end = time.monotonic() + HANGING
+        self._print("hanging")
+        end = time.monotonic() + HANG_S
         while time.monotonic() < end:
             pass
 
@@ -186,28 +188,28 @@ class Driver(QObject):
         self._record(0.05)
 
     def record_on_a_hanging_disk(self) -> None:
-        self._record(2 * HANGING)
+        self._record(2 * HANG_S)
 
     def _record(self, seconds: float) -> None:
         """Record onto a disk that is slow at the end of the recording."""
         parts, finish, timer = trex(self._program), RecordingWriter.finish, QTimer(self)
-        recorder, enough = parts.workspace.recordings.recorder, 0
+        recorder, last_sample = parts.workspace.recordings.recorder, 0
 
         def finish_late(writer: RecordingWriter[Any, Any]) -> None:
             time.sleep(seconds)
             finish(writer)
 
-        def look() -> None:
-            nonlocal enough
+        def check() -> None:
+            nonlocal last_sample
             if recorder.can_record:
                 recorder.start(Path(os.environ["TREX_STUDIO_DATA"]) / "a.trexrec")
-                enough = parts.device.telemetry.samples + ENOUGH
-            elif recorder.recording and parts.device.telemetry.samples > enough:
+                last_sample = parts.device.telemetry.samples + RECORDED_SAMPLES
+            elif recorder.recording and parts.device.telemetry.samples > last_sample:
                 timer.stop()
-                self._say("recording")
+                self._print("recording")
 
-        setattr(RecordingWriter, "finish", finish_late)  # noqa: B010 - typed as a method
-        timer.timeout.connect(look)
+        setattr(RecordingWriter, "finish", finish_late)  # noqa: B010
+        timer.timeout.connect(check)
         timer.start(20)
 
     def lose_the_gamepad(self) -> None:
@@ -216,13 +218,12 @@ class Driver(QObject):
         self._motors.abort("gamepad", "The gamepad is gone.")
 
 
-def main(url: str, extra_time: str = "", baud: str = "19200") -> int:
+def main(url: str, timeouts: str = "", baud: str = "19200") -> int:
     """Run the program until it ends."""
     build = composition.build
 
-    def build_and_drive(timeouts: Timeouts | None = None) -> Program:
-        del timeouts
-        program = build(Timeouts() if extra_time == "usual" else PATIENT)
+    def build_and_drive(_timeouts: Timeouts | None = None) -> Program:
+        program = build(Timeouts() if timeouts == "default" else PATIENT)
         trex(program).controller.set_settings(ConnectionSettings("", LineSettings(int(baud))))
         Driver(program)
         return program

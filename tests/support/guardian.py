@@ -1,14 +1,14 @@
-"""Guardian for lines in virtual time, where processes cannot share a port."""
+"""Guardian in virtual time, where no second process can open the port."""
 
 from trex_gui.core.guardian.guardian import StopSequence
 
 
 class VirtualGuardian:
-    """Records its messages and acts when a test sets `has_acted`.
+    """Records its messages. It has acted once a test sets `has_acted`.
 
     Attributes:
-        watched: every stop that it received, `None` while no motor may move.
-        confirms: whether the board confirms its stops.
+        watched: received stop sequences in order. `None`: no motor may move.
+        confirms: whether the board confirms the stop.
     """
 
     def __init__(self) -> None:

@@ -1,8 +1,8 @@
-"""Checks for users who have only a keyboard: mnemonics, Tab order, names."""
+"""Checks for users without a mouse: mnemonics, Tab order, accessible names."""
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import TypeGuard
 
@@ -57,41 +57,41 @@ _INPUTS = (
 )
 _STANDARD = QDialogButtonBox.StandardButton
 _ENTER_AND_ESC = {_STANDARD.Ok, _STANDARD.Cancel, _STANDARD.Close}
-"""Standard buttons, to which the platform may give their first letter."""
+"""Standard buttons. The platform may make their first letter the mnemonic."""
 
-_NAME_OF_ESC = re.compile(r"(cancel|close)\w*Button$", re.IGNORECASE)
+_CLOSING_NAME = re.compile(r"(cancel|close)\w*Button$", re.IGNORECASE)
 
-_WITHOUT_LETTER = (
+_WITHOUT_MNEMONIC = (
     RedButton,  # Esc stops in every window
     HoldButton,  # works only while held with the space bar
 )
-_INSIDE_WITHOUT_LETTER = (
-    Banner,  # appears over every page and would take letters from each
+_CONTAINERS_WITHOUT_MNEMONICS = (
+    Banner,  # appears over every page, so no page could use its mnemonics
     InlinePrompt,  # appears over every page, and has the focus
-    ProblemCard,  # several cards, one for each problem
-    BoardPanel,  # its actions have letters in the Device menu
-    DemoDock,  # beside every page, where letters are short
+    ProblemCard,  # there is a card for each problem
+    BoardPanel,  # its actions have mnemonics in the Device menu
+    DemoDock,  # stays beside every page, and few letters are free
     QToolBar,  # its actions are in a menu
-    QLineEdit,  # icon in an editor
+    QLineEdit,  # an icon in an editor
 )
-_NAMED_WITHOUT_LETTER = {
-    "lineButton",  # in a menu with a letter
-    "aracna_startPort",  # several buttons, one for each port
+_NAMES_WITHOUT_MNEMONIC = {
+    "lineButton",  # its action has a mnemonic in a menu
+    "aracna_startPort",  # there is a button for each port
     "startPort",
-    "stopRecordingButton",  # over every page, and in a menu
+    "stopRecordingButton",  # visible on every page, and in a menu
 }
 
 
 def check_keyboard(window: QWidget, *, note: str = "") -> None:
-    """Check everything that a window shows."""
+    """Check the visible widgets of a window."""
     found = [
-        *_repeated_letters(window),
-        *_without_letter(window),
+        *_repeated_mnemonics(window),
+        *_without_mnemonic(window),
         *_out_of_order(window),
         *_out_of_reach(window),
         *(f"no accessible name: {each}" for each in nameless(window)),
         *unspoken(window),
-        *(f"letter in a name: {name}" for name in _spoken(window) if letter(name)),
+        *(f"mnemonic in a name: {name}" for name in _spoken(window) if mnemonic(name)),
     ]
     assert not found, "\n".join([f"{window.objectName()} {note}", *found])
 
@@ -107,21 +107,21 @@ def shown_in(window: QWidget) -> Iterator[QWidget]:
             yield each
 
 
-# --- Letters ----------------------------------------------------------------------------
+# --- Mnemonics --------------------------------------------------------------------------
 
 
-def letter(text: str) -> str:
+def mnemonic(text: str) -> str:
     return QKeySequence.mnemonic(text).toString()
 
 
-def _repeated_letters(window: QWidget) -> Iterator[str]:
+def _repeated_mnemonics(window: QWidget) -> Iterator[str]:
     texts: list[str] = []
     standard: list[str] = []
     for each in shown_in(window):
         match each:
             case QAbstractButton():
-                takes_first = _is_standard(each) and not letter(each.text())
-                (standard if takes_first else texts).append(each.text())
+                has_default = _is_standard(each) and not mnemonic(each.text())
+                (standard if has_default else texts).append(each.text())
             case QLabel() if each.buddy() is not None:
                 texts.append(each.text())
             case QGroupBox():
@@ -132,25 +132,25 @@ def _repeated_letters(window: QWidget) -> Iterator[str]:
         bar = window.menuBar()
         texts += [each.text() for each in bar.actions() if each.isVisible()]
         actions = [each for menu in bar.findChildren(QMenu) for each in menu.actions()]
-        shown = [each for each in actions if each.isVisible()]
-        yield from _clashes([(each.shortcut().toString(), each.text()) for each in shown])
+        visible = [each for each in actions if each.isVisible()]
+        yield from _clashes([(each.shortcut().toString(), each.text()) for each in visible])
     for menu in window.findChildren(QMenu):
-        yield from _shared_letters([each.text() for each in menu.actions() if each.isVisible()])
-    yield from _shared_letters(texts, standard)
+        yield from _shared_mnemonics([each.text() for each in menu.actions() if each.isVisible()])
+    yield from _shared_mnemonics(texts, standard)
 
 
-def _shared_letters(texts: list[str], standard: Iterable[str] = ()) -> Iterator[str]:
-    """Yield mnemonics of several texts, in English and in each translation.
+def _shared_mnemonics(texts: list[str], standard: Sequence[str] = ()) -> Iterator[str]:
+    """Yield the mnemonics that several texts share, in English and in each translation.
 
-    `standard` are those of buttons of Qt, which may get their first letter.
+    `standard`: texts of standard buttons, whose first letter may become the mnemonic.
     """
-    firsts = [f"&{text}" for text in standard]
-    yield from _clashes([(letter(text), text) for text in (*texts, *firsts)])
+    defaults = [f"&{text}" for text in standard]
+    yield from _clashes([(mnemonic(text), text) for text in (*texts, *defaults)])
     if QLocale().language() is QLocale.Language.English:
         for language in OTHER_LANGUAGES:
-            there = [translation(language, text) for text in texts if letter(text)]
-            firsts = [f"&{translation_of_qt(language, text)}" for text in standard]
-            for clash in _clashes([(letter(text), text) for text in (*there, *firsts)]):
+            translated = [translation(language, text) for text in texts if mnemonic(text)]
+            translated += [f"&{translation_of_qt(language, text)}" for text in standard]
+            for clash in _clashes([(mnemonic(text), text) for text in translated]):
                 yield f"{language}: {clash}"
 
 
@@ -160,26 +160,26 @@ def _clashes(keys: list[tuple[str, str]]) -> Iterator[str]:
             yield f"{key} is {' and '.join(text for each, text in keys if each == key)}"
 
 
-def _without_letter(window: QWidget) -> Iterator[str]:
+def _without_mnemonic(window: QWidget) -> Iterator[str]:
     widgets = list(shown_in(window))
     buttons = [each for each in widgets if isinstance(each, QAbstractButton)]
     texts = Counter(each.text().replace("&", "") for each in buttons)
     for button in buttons:
         text = button.text()
-        if _is_free(button) or _is_standard(button) or letter(text):
+        if _is_exempt(button) or _is_standard(button) or mnemonic(text):
             continue
         if not text:
             if not (button.toolTip() and button.accessibleName()):
                 yield f"no text, and no tool tip and accessible name: {button.objectName()}"
-        elif texts[text] == 1 and not button.objectName()[-1:].isdigit():  # rows have no letter
-            yield f"no letter: {button.objectName()} {text}"
+        elif texts[text] == 1 and not button.objectName()[-1:].isdigit():  # rows have no mnemonics
+            yield f"no mnemonic: {button.objectName()} {text}"
     for each in widgets:
-        if isinstance(each, QLabel) and isinstance(each.buddy(), _INPUTS) and not _is_free(each):
+        if isinstance(each, QLabel) and isinstance(each.buddy(), _INPUTS) and not _is_exempt(each):
             text = each.text()
-            if not letter(text) and not text.isdigit():
-                yield f"no letter: label {text}"
+            if not mnemonic(text) and not text.isdigit():
+                yield f"no mnemonic: label {text}"
             if "&" in text and ";" in text:
-                yield f"the letter is that of a character entity: {text}"
+                yield f"the mnemonic is part of a character entity: {text}"
 
 
 def _is_standard(button: QAbstractButton) -> bool:
@@ -187,19 +187,19 @@ def _is_standard(button: QAbstractButton) -> bool:
     return isinstance(box, QDialogButtonBox) and box.standardButton(button) in _ENTER_AND_ESC
 
 
-def _is_free(widget: QWidget) -> bool:
-    """Return whether a widget needs no letter."""
+def _is_exempt(widget: QWidget) -> bool:
+    """Return whether a widget needs no mnemonic."""
     name = widget.objectName()
     return (
-        isinstance(widget, _WITHOUT_LETTER)
-        or name in _NAMED_WITHOUT_LETTER
-        or _NAME_OF_ESC.search(name) is not None
+        isinstance(widget, _WITHOUT_MNEMONIC)
+        or name in _NAMES_WITHOUT_MNEMONIC
+        or _CLOSING_NAME.search(name) is not None
         or name.startswith("qt_")
-        or any(isinstance(above, _INSIDE_WITHOUT_LETTER) for above in _above(widget))
+        or any(isinstance(parent, _CONTAINERS_WITHOUT_MNEMONICS) for parent in _parents(widget))
     )
 
 
-def _above(widget: QWidget) -> Iterator[QWidget]:
+def _parents(widget: QWidget) -> Iterator[QWidget]:
     parent = widget.parentWidget()
     while parent is not None:
         yield parent
@@ -208,16 +208,16 @@ def _above(widget: QWidget) -> Iterator[QWidget]:
         parent = parent.parentWidget()
 
 
-# --- What can be reached ----------------------------------------------------------------
+# --- Reachable widgets ------------------------------------------------------------------
 
-_ELSEWHERE = {
-    # its joints are rows of a table and fields of a pose
+_ALTERNATIVES = {
+    # the joints of the drawing are also rows of a table and fields of a pose
     "aracnaDrawing": {"aracnaSlider0", "aracnaRecordedJoints", "aracnaPosition0"},
     "eventMarks": {"eventList"},
 }
-"""Widgets for the mouse only. A sibling does the same by keyboard."""
+"""Widgets for the mouse only, and the widgets that replace them for the keyboard."""
 
-_HANDS = "mousePressEvent", "mouseMoveEvent", "mouseReleaseEvent"
+_MOUSE_HANDLERS = "mousePressEvent", "mouseMoveEvent", "mouseReleaseEvent"
 
 
 def _out_of_reach(window: QWidget) -> Iterator[str]:
@@ -226,22 +226,22 @@ def _out_of_reach(window: QWidget) -> Iterator[str]:
     names = {each.objectName() for each in reached}
     for each in shown_in(window):
         takes_tab = bool(each.focusPolicy() & Qt.FocusPolicy.TabFocus)
-        takes_hands = any(overrides(each, hand) for hand in _HANDS)
+        uses_mouse = any(overrides(each, handler) for handler in _MOUSE_HANDLERS)
         is_input = isinstance(each, (QAbstractButton, *_INPUTS))
-        if takes_hands and each not in reached and not _is_inside(each):
-            if names.isdisjoint(_ELSEWHERE.get(each.objectName(), ())):
-                yield f"only the mouse reaches it: {path_of(each)}"
+        if uses_mouse and each not in reached and not _is_inside(each):
+            if names.isdisjoint(_ALTERNATIVES.get(each.objectName(), ())):
+                yield f"reached with the mouse only: {path_of(each)}"
         elif is_input and not takes_tab and not _is_inside(each):
-            yield f"Tab does not reach it: {path_of(each)}"
+            yield f"not reached with Tab: {path_of(each)}"
         elif isinstance(each, QLabel) and "<a " in each.text():
             if not each.textInteractionFlags() & Qt.TextInteractionFlag.LinksAccessibleByKeyboard:
-                yield f"only the mouse reaches its links: {path_of(each)}"
+                yield f"links reached with the mouse only: {path_of(each)}"
         elif (
             is_painted(each)
             and takes_tab
-            and not (takes_hands or is_input or overrides(each, "keyPressEvent"))
+            and not (uses_mouse or is_input or overrides(each, "keyPressEvent"))
         ):
-            yield f"takes the focus and no key: {path_of(each)}"
+            yield f"accepts the focus, but no key: {path_of(each)}"
 
 
 def _is_choice(widget: QWidget) -> TypeGuard[QAbstractButton]:
@@ -251,7 +251,7 @@ def _is_choice(widget: QWidget) -> TypeGuard[QAbstractButton]:
 
 
 def _is_inside(widget: QWidget) -> bool:
-    """Return whether a parent handles the keys of a widget, or a menu has its action."""
+    """Return whether a parent handles the keys of a widget, or a menu contains its action."""
     parent = widget.parentWidget()
     return (
         is_part(widget)
@@ -269,7 +269,7 @@ def _is_in_menu(button: QWidget) -> bool:
     return action is None or any(action in menu.actions() for menu in menus)
 
 
-# --- The order of Tab -------------------------------------------------------------------
+# --- Tab order --------------------------------------------------------------------------
 
 
 def tab_order(window: QWidget) -> list[QWidget]:
@@ -294,27 +294,27 @@ def _next(widget: QWidget) -> QWidget:
     """Return the next widget in the Tab order. PySide makes it a child of `widget`."""
     following = widget.nextInFocusChain()
     assert following is not None
-    following.setParent(following.parentWidget())  # restores its parent for PySide
+    following.setParent(following.parentWidget())  # undoes this
     return following
 
 
-_REGIONS = QGroupBox, QDockWidget, QScrollArea
+_BOXES = QGroupBox, QDockWidget, QScrollArea
 _COLUMNS = {"benchLeft", "boardPanel"}
-"""Containers that Tab leaves only after their last widget, like parts of a splitter."""
+"""Containers that Tab leaves only after the last widget, like parts of a splitter."""
 
-_IN_COLUMNS = {"boardDrawing", "demoDrawing"}
-"""Boxes in which Tab may go up to the next column."""
+_WITH_COLUMNS = {"boardDrawing", "demoDrawing"}
+"""Boxes with columns. Tab may go up to the top of the next column."""
 
 
 def _region(widget: QWidget, window: QWidget) -> list[QWidget]:
-    """Return the columns and boxes around a widget, the widest first, and the widget."""
+    """Return the columns and boxes around a widget from outside in, then the widget."""
     regions = [widget]
-    for above in _above(widget):
-        if above is window:
+    for parent in _parents(widget):
+        if parent is window:
             break
-        is_part = isinstance(above.parentWidget(), QSplitter)
-        if is_part or isinstance(above, _REGIONS) or above.objectName() in _COLUMNS:
-            regions.append(above)
+        is_splitter_part = isinstance(parent.parentWidget(), QSplitter)
+        if is_splitter_part or isinstance(parent, _BOXES) or parent.objectName() in _COLUMNS:
+            regions.append(parent)
     return regions[::-1]
 
 
@@ -326,17 +326,17 @@ def _out_of_order(window: QWidget) -> Iterator[str]:
         names = f"{before[-1].objectName()} → {after[-1].objectName()}"
         left.update(before[depth:])
         if left & set(after):
-            yield f"Tab comes back: {names}"
+            yield f"Tab returns to a box: {names}"
         elif not _follows(
             _place(before[depth], window),
             _place(after[depth], window),
-            in_columns=depth > 0 and before[depth - 1].objectName() in _IN_COLUMNS,
+            in_columns=depth > 0 and before[depth - 1].objectName() in _WITH_COLUMNS,
         ):
-            yield f"Tab goes back: {names}"
+            yield f"Tab goes backward: {names}"
 
 
 def _place(widget: QWidget, window: QWidget) -> QRect:
-    """Return the rectangle of a widget. On a scrolling page it excludes the message space."""
+    """Return the rectangle of a widget, in a scrolling page without the space for messages."""
     place = QRect(widget.mapTo(window, QPoint()), widget.size())
     if isinstance(widget, QScrollArea) and (content := widget.widget()) is not None:
         place.adjust(0, 0, 0, -content.contentsMargins().bottom())
@@ -344,7 +344,7 @@ def _place(widget: QWidget, window: QWidget) -> QRect:
 
 
 def _follows(before: QRect, after: QRect, *, in_columns: bool) -> bool:
-    """Return whether a rectangle is to the right of another in its row, or below it."""
+    """Return whether `after` is below `before`, or to the right of it in the same row."""
     is_below = after.center().y() > before.bottom()
     is_beside = after.left() >= before.right() and (
         in_columns or (before.top() < after.bottom() and after.top() < before.bottom())

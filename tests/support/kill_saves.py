@@ -1,17 +1,16 @@
-"""Kill a program again and again while it saves files, and look at what it leaves.
+"""Kill a program repeatedly while it saves files, and check the files that it leaves behind.
 
-Each version of a file is made of its number alone. The program says which versions are saved. After
-it was killed, the program's own reader must find the last of them or the next one, whole. It forks,
-which Windows cannot.
+The content of a file follows from its version number. The program prints the number of each saved
+version. After the kill, the reader of TReX Studio must find the last saved version or the next
+version, complete. The program forks, so this does not run on Windows.
 
-Run as `python -m tests.support.kill_saves`, this is the program: for each line with kind, folder
-and version it forks a process that saves versions from this one on, and prints its number, then
-the versions that were saved, then `ended`.
+`python -m tests.support.kill_saves` runs the program. For each line with kind, folder and version
+it forks a process that saves this version and all later versions. It prints the process number,
+then the saved versions, then `ended`.
 """
 
 import itertools
 import os
-import random
 import shutil
 import signal
 import subprocess
@@ -22,6 +21,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
+from random import Random
 from typing import Self, TextIO
 
 from PySide6.QtCore import QSettings
@@ -42,9 +42,9 @@ from trex_gui.ui.preferences import remove_stale_files
 from trex_gui.ui.workers.file_worker import ProgressCallback
 
 ROOT = Path(__file__).parents[2]
-LONGEST_S = 0.03  # seconds until the kill; saving a version takes some milliseconds
-BEGIN = datetime(2026, 1, 1, tzinfo=UTC)
-KEPT = 4  # snapshots
+MAX_KILL_S = 0.03  # time until the kill; saving a version takes some milliseconds
+START = datetime(2026, 1, 1, tzinfo=UTC)
+SNAPSHOT_LIMIT = 4
 BOARD = BoardIdentity(device_table().model("trex"), "1.2", 7)
 MARKERS = 300  # in a recording
 LINES = 3000  # of a transcript
@@ -52,9 +52,9 @@ LINES = 3000  # of a transcript
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of file: how a version is saved, and how the program finds the version again.
+    """Functions that save a version of a file and find its version.
 
-    `find` returns 0 without a file, and fails if something is not whole.
+    `find` returns 0 without a file, and fails if a file is incomplete.
     """
 
     save: Callable[[Path, int], object]
@@ -84,9 +84,9 @@ def _find_settings(folder: Path) -> int:
 
 def _save_snapshot(folder: Path, version: int) -> None:
     history = SettingsHistory(folder / "snapshots")
-    if history.limit().count != KEPT:
-        history.set_limit(KEPT)
-    now = BEGIN + timedelta(seconds=version)
+    if history.limit().count != SNAPSHOT_LIMIT:
+        history.set_limit(SNAPSHOT_LIMIT)
+    now = START + timedelta(seconds=version)
     history.save(_settings_of(version), adapter="COM1", reason=f"version {version}", now=now)
 
 
@@ -99,15 +99,15 @@ def _find_snapshot(folder: Path) -> int:
         assert history.load(snapshot) == _settings_of(version), snapshot
     assert not history.limit().problem, history.limit()
     newest = int(snapshots[0].reason.split()[-1]) if snapshots else 0
-    assert len(snapshots) >= min(newest, KEPT), len(snapshots)
+    assert len(snapshots) >= min(newest, SNAPSHOT_LIMIT), len(snapshots)
     return newest
 
 
-def _save_bound(folder: Path, version: int) -> None:
+def _save_limit(folder: Path, version: int) -> None:
     SettingsHistory(folder / "snapshots").set_limit(version)
 
 
-def _find_bound(folder: Path) -> int:
+def _find_limit(folder: Path) -> int:
     limit = SettingsHistory(folder / "snapshots").limit()
     assert not limit.problem, limit
     is_new = not (folder / "snapshots" / "history.txt").exists()
@@ -129,7 +129,7 @@ def _find_edits(folder: Path) -> int:
 
 def _header(version: int) -> Header:
     model = device_table().model("trex")
-    return Header(BEGIN, 10.0, model, "1.2", Mode.SERIAL_RC, f"version {version}", None)
+    return Header(START, 10.0, model, "1.2", Mode.SERIAL_RC, f"version {version}", None)
 
 
 def _markers(version: int) -> list[Record]:
@@ -155,7 +155,7 @@ def _find_recording(folder: Path) -> int:
     recording.close()
     version = int(recording.header.settings.split()[-1])
     assert records == _markers(version)[: len(records)], records[-1]
-    assert len(records) == MARKERS or recording.problems, "ended, but not complete"
+    assert len(records) == MARKERS or recording.problems, "closed, but incomplete"
     return version
 
 
@@ -197,7 +197,7 @@ def _find_preferences(folder: Path) -> int:
 KINDS = {
     "settings": Kind(_save_settings, _find_settings),
     "snapshot": Kind(_save_snapshot, _find_snapshot),
-    "bound": Kind(_save_bound, _find_bound),
+    "limit": Kind(_save_limit, _find_limit),
     "edits": Kind(_save_edits, _find_edits),
     "recording": Kind(_save_recording, _find_recording),
     "transcript": Kind(_save_transcript, _find_transcript),
@@ -213,7 +213,7 @@ def _main() -> None:
         kind, folder, version = line.rstrip("\n").split("\t")
         process = os.fork()
         if process == 0:
-            os.write(1, b"%d\n" % os.getpid())  # before the versions, so not by the other process
+            os.write(1, b"%d\n" % os.getpid())  # here, so that it comes before the versions
             for number in itertools.count(int(version)):
                 KINDS[kind].save(Path(folder), number)
                 os.write(1, b"%d\n" % number)
@@ -222,7 +222,7 @@ def _main() -> None:
 
 
 class Saver:
-    """Program that saves, without a file in progress."""
+    """Running program, which saves on request."""
 
     def __enter__(self) -> Self:
         self._process = subprocess.Popen(
@@ -238,7 +238,7 @@ class Saver:
         self._process.communicate()
 
     def save_and_be_killed(self, kind: str, folder: Path, version: int, seconds: float) -> int:
-        """Save versions until the kill, starting at this version. Return the last saved version."""
+        """Save this version and later versions until the kill. Return the last saved version."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._process.stdin.write(f"{kind}\t{folder}\t{version}\n")
@@ -252,12 +252,12 @@ class Saver:
         return saved
 
 
-# --- What is left -------------------------------------------------------------------------
+# --- Attack -------------------------------------------------------------------------------
 
 
-def _litter(folder: Path, files: set[str]) -> list[str]:
+def _stray_files(folder: Path, known: set[str]) -> list[str]:
     found = (path for path in folder.rglob("*") if path.is_file())
-    return sorted(path.name for path in found if path.name not in files)
+    return sorted(path.name for path in found if path.name not in known)
 
 
 def _age(folder: Path) -> None:
@@ -267,14 +267,14 @@ def _age(folder: Path) -> None:
             os.utime(path, (time.time() - 86400,) * 2)
 
 
-def attack(saver: Saver, kind: str, folder: Path, rounds: int, chance: random.Random) -> list[str]:
+def attack(saver: Saver, kind: str, folder: Path, rounds: int, random: Random) -> list[str]:
     """Kill the saving program several times. Return the errors in its files."""
     version = 0
     for number in range(1, rounds + 1):
-        saved = saver.save_and_be_killed(kind, folder, version + 1, chance.uniform(0, LONGEST_S))
+        saved = saver.save_and_be_killed(kind, folder, version + 1, random.uniform(0, MAX_KILL_S))
         try:
             version = KINDS[kind].find(folder)
-        except Exception as error:  # noqa: BLE001 - whatever a reader may fail with
+        except Exception as error:  # noqa: BLE001 - a reader may raise anything
             return [f"{kind}, kill {number}, after version {saved}: {error!r}"]
         if version not in {saved, saved + 1}:
             return [f"{kind}, kill {number}: found version {version} after {saved} was saved"]
@@ -283,17 +283,17 @@ def attack(saver: Saver, kind: str, folder: Path, rounds: int, chance: random.Ra
     remove_stale_files.cache_clear()
     remove_stale_files(folder / "a.ini")  # like the next start
     snapshots = {found.path.name for found in SettingsHistory(folder / "snapshots").snapshots()}
-    if len(snapshots) > KEPT:
+    if len(snapshots) > SNAPSHOT_LIMIT:
         return [f"{kind}: {len(snapshots)} snapshots"]
-    litter = _litter(
+    stray = _stray_files(
         folder, snapshots | {f"{BOARD}.txt", "a.txt", "a.tsv", "a.ini", "a.trexrec", "history.txt"}
     )
-    return [f"{kind}: left behind: {', '.join(litter)}"] if litter else []
+    return [f"{kind}: left behind: {', '.join(stray)}"] if stray else []
 
 
 def run(seconds: float, seed: int) -> list[str]:
     """Attack every kind of file in turn for some seconds. Return the errors."""
-    chance, end = random.Random(seed), time.monotonic() + seconds
+    random, end = Random(seed), time.monotonic() + seconds
     findings: list[str] = []
     with Saver() as saver:
         for kind in itertools.cycle(KINDS):
@@ -301,7 +301,7 @@ def run(seconds: float, seed: int) -> list[str]:
                 return findings
             folder = Path(tempfile.mkdtemp(prefix="kill_saves."))
             try:
-                findings += attack(saver, kind, folder, 50, chance)
+                findings += attack(saver, kind, folder, 50, random)
             finally:
                 shutil.rmtree(folder)
     return findings

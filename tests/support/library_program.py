@@ -1,4 +1,4 @@
-"""Programs that use the library."""
+"""Program that uses the library, in virtual time."""
 
 from collections.abc import Callable
 
@@ -9,7 +9,7 @@ from trex_gui.core.host import Host
 
 
 class Program:
-    """Program that uses the library in a separate thread."""
+    """Runs a function in a separate thread with the library's context."""
 
     def __init__(self, runtime: VirtualRuntime, run: Callable[[], object]) -> None:
         self.runtime = runtime

@@ -1,4 +1,4 @@
-"""Message bus with a simulated logind that grants delays of sleep."""
+"""Message bus with a simulated logind that grants sleep delays."""
 
 import itertools
 import os
@@ -40,13 +40,13 @@ def connection_to(address: str) -> Iterator[QDBusConnection]:
     QDBusConnection.disconnectFromBus(name)
 
 
-# The stub knows no decorator.
+# PySide's stub does not declare ClassInfo as a decorator.
 @ClassInfo({"D-Bus Interface": MANAGER})  # type: ignore[call-arg]
 class Logind(QObject):  # type: ignore[operator]
-    """Grants delays and records their release.
+    """Grants sleep delays and records their release.
 
     Attributes:
-        requested: what, who, why and mode of each delay.
+        requested: what, who, why and mode of each request.
     """
 
     def __init__(self, connection: QDBusConnection) -> None:
@@ -58,24 +58,24 @@ class Logind(QObject):  # type: ignore[operator]
         assert connection.registerObject(PATH, self, QDBusConnection.RegisterOption.ExportAllSlots)
 
     @Slot(str, str, str, str, result=QDBusUnixFileDescriptor)
-    def Inhibit(self, what: str, who: str, why: str, mode: str) -> QDBusUnixFileDescriptor:  # noqa: N802 - its name
+    def Inhibit(self, what: str, who: str, why: str, mode: str) -> QDBusUnixFileDescriptor:  # noqa: N802 - name of the D-Bus method
         self.requested.append((what, who, why, mode))
-        ours, theirs = os.pipe()
-        self._ends.append(ours)
-        given = QDBusUnixFileDescriptor(theirs)
-        os.close(theirs)
-        return given
+        own_end, other_end = os.pipe()
+        self._ends.append(own_end)
+        descriptor = QDBusUnixFileDescriptor(other_end)
+        os.close(other_end)
+        return descriptor
 
     @property
     def held(self) -> int:
-        """Number of delays that are held."""
+        """Number of delays that are not released."""
         return len(self._ends) - len(select.select(self._ends, [], [], 0)[0])
 
-    def say_sleep(self, *, begins: bool) -> None:
+    def announce_sleep(self, *, begins: bool) -> None:
         """Broadcast that the computer is about to sleep, or has woken up."""
-        said = QDBusMessage.createSignal(PATH, MANAGER, "PrepareForSleep")
-        said.setArguments([begins])
-        assert self._connection.send(said)
+        message = QDBusMessage.createSignal(PATH, MANAGER, "PrepareForSleep")
+        message.setArguments([begins])
+        assert self._connection.send(message)
 
     def close(self) -> None:
         """Unregister from the bus."""

@@ -1,4 +1,4 @@
-"""Number of cases in the gate and in the long tests."""
+"""Numbers of test cases in the gate and in the long tests."""
 
 import os
 from collections.abc import Iterable
@@ -8,7 +8,7 @@ import hypothesis
 import pytest
 
 LONG_FACTOR = 5
-"""Factor of hypothesis examples in the long tests."""
+"""Ratio of hypothesis examples in the long tests to those in the gate."""
 
 
 def examples(count: int, **options: Any) -> hypothesis.settings:
@@ -19,7 +19,7 @@ def examples(count: int, **options: Any) -> hypothesis.settings:
 
 
 def sampled(cases: Iterable[Any], *, every: int) -> list[Any]:
-    """Mark all cases except every `every`-th as slow. A tuple has several values."""
+    """Mark all cases as slow, except the first of every `every`. A tuple has several values."""
     return [
         pytest.param(
             *(case if isinstance(case, tuple) else (case,)),

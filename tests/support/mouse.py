@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 
 def turn_wheel(widget: QWidget, at: QPointF | None = None) -> QWheelEvent:
-    """Turn the wheel by a notch, away from the user. `at`: position, default the middle."""
+    """Turn the wheel by a notch away from the user, by default in the middle of a widget."""
     place = QPointF(widget.rect().center()) if at is None else at
     event = QWheelEvent(
         place,

@@ -9,7 +9,7 @@ PAD = Pad(ident=1, guid="a" * 32, name="Test pad", axes=4, buttons=8, parts=PART
 
 
 class HeldPads(SdlPads):
-    """Gamepads in the state that a test sets."""
+    """Gamepads whose state the test sets."""
 
     def __init__(self, *pads: Pad, failure: str = "") -> None:
         self._states = {pad: PadState((0.0,) * pad.axes, (False,) * pad.buttons) for pad in pads}
@@ -28,14 +28,14 @@ class HeldPads(SdlPads):
         self._states[pad] = replace(self._states[pad], axes=tuple(axes))
 
     def press(self, button: int, pad: Pad = PAD) -> None:
-        self._set(button, pad, down=True)
+        self._set(button, pad, pressed=True)
 
     def release(self, button: int, pad: Pad = PAD) -> None:
-        self._set(button, pad, down=False)
+        self._set(button, pad, pressed=False)
 
-    def _set(self, button: int, pad: Pad, *, down: bool) -> None:
+    def _set(self, button: int, pad: Pad, *, pressed: bool) -> None:
         buttons = list(self._states[pad].buttons)
-        buttons[button] = down
+        buttons[button] = pressed
         self._states[pad] = replace(self._states[pad], buttons=tuple(buttons))
 
     def open(self) -> None:

@@ -1,4 +1,4 @@
-"""Bot with timeouts for a busy computer."""
+"""Bot and timeouts for a busy computer."""
 
 from collections.abc import Callable
 from typing import Any
@@ -16,20 +16,17 @@ PATIENT = Timeouts(
     current_gap=30.0,
     sleep_delay=15.0,
 )
-"""Timeout in real time: a test or its simulator may stand still for seconds."""
+"""Timeouts in real time, because a test or its simulator may hang for seconds."""
 
 LONG_TIMEOUT_MS = 20_000
-"""Default timeout.
-
-Other tests run at the same time, and the host may take the processor away for a second or two.
-"""
+"""Default timeout. Other tests may take the processor for a second or two."""
 
 
 Callback = Callable[[], bool | None]
 
 
 def as_condition(callback: Callback) -> Callback:
-    """Make a lambda return a bool. pytest-qt counts `None` as true."""
+    """Make a lambda return a bool, because pytest-qt takes `None` for true."""
     is_lambda = getattr(callback, "__name__", "") == "<lambda>"
     return (lambda: bool(callback())) if is_lambda else callback
 

@@ -8,6 +8,6 @@ PlayerT = TypeVar("PlayerT", bound=RecordingPlayer[Any, Any, Any])
 
 
 def loading(player: PlayerT) -> PlayerT:
-    """Start loading a recording, as its window does. Return the recording."""
+    """Start loading a recording like its window does. Return the player."""
     player.start_loading()
     return player

@@ -1,5 +1,6 @@
-"""Parts of a program by device."""
+"""Models and controllers of a program, by device."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 from trex_gui.composition import PLUGINS
@@ -34,7 +35,7 @@ class AracnaParts(NamedTuple):
 
 
 def trex(program: Program) -> TrexParts:
-    """Return the parts of a program for the TReX."""
+    """Return the objects of a program for the TReX."""
     controller, workspace = program.device_manager.controller(TREX.key), program.workspace(TREX.key)
     assert isinstance(controller, TrexController)
     assert isinstance(workspace, TrexWorkspace)
@@ -42,7 +43,7 @@ def trex(program: Program) -> TrexParts:
 
 
 def aracna(program: Program) -> AracnaParts:
-    """Return the parts of a program for the Aracna."""
+    """Return the objects of a program for the Aracna."""
     controller, workspace = (
         program.device_manager.controller(ARACNA.key),
         program.workspace(ARACNA.key),
@@ -69,16 +70,5 @@ def scanner_of(controller: TrexController) -> DeviceScanner:
 
 
 def new_plugin(key: str, name: str) -> DevicePlugin:
-    """Return a TReX plugin with another key and name."""
-    return DevicePlugin(
-        key=key,
-        name=name,
-        prober=TREX.prober,
-        port_reports=TREX.port_reports,
-        commands={},
-        simulator_arguments=TREX.simulator_arguments,
-        controller=TREX.controller,
-        workspace=TREX.workspace,
-        tour=TREX.tour,
-        simulator=TREX.simulator,
-    )
+    """Return a plugin without commands that is otherwise the TReX plugin."""
+    return replace(TREX, key=key, name=name, commands={})

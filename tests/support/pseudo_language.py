@@ -1,6 +1,6 @@
-"""Language for tests: accented, a third longer, and marked.
+"""Pseudo-language: English with accents, a third longer, and between brackets.
 
-Untranslated texts then stand out. Only texts that `packaging/translations.py` extracts are
+Untranslated texts stand out, because only texts that `packaging/translations.py` extracts are
 translated.
 """
 
@@ -50,10 +50,10 @@ from trex_gui.ui.widgets.labels import ElidedLabel
 
 BEGIN, END = "⟦", "⟧"
 _ACCENTS = str.maketrans("aceinouyACEINOUY", "áçéíñóúýÁÇÉÍÑÓÚÝ")
-_KEPT = re.compile(
+_UNCHANGED = re.compile(
     r"\{[^{}]*\}|%n|%L?\d|&\w|<[^>]*>|\*\.\w+|;;|&lt;|&gt;|&amp;|&nbsp;|https?://\S+|style='[^']*'"
 )
-_LONGEST_WORD = 8  # characters of added words, so that they can be wrapped like other words
+_WORD_LENGTH = 8  # of added words, which can be wrapped like other words
 _HTML = re.compile(r"<[^>]*>|&#?\w+;")
 _WORD = re.compile(r"[A-Za-z]{2,}")
 _NOT_TRANSLATED = re.compile(
@@ -63,25 +63,25 @@ _NOT_TRANSLATED = re.compile(
 )
 
 
-_OWN_WORDS = {
-    "languageBox",  # each language has its own name
+_NOT_TRANSLATED_WIDGETS = {
+    "languageBox",  # shows each language in its own words
     "helpText",  # the help is in English
     "helpPages",
-    "aracnaPoses",  # names in files
+    "aracnaPoses",  # shows names from a file
     "aracnaSteps",
 }
 
 
 def pseudo(text: str) -> str:
-    """Return a text in the language, without changing placeholders, tags and mnemonics."""
+    """Translate a text, but not its placeholders, tags and mnemonics."""
     parts, end = [], 0
-    for kept in _KEPT.finditer(text):
-        parts += [text[end : kept.start()].translate(_ACCENTS), kept[0]]
-        end = kept.end()
+    for match in _UNCHANGED.finditer(text):
+        parts += [text[end : match.start()].translate(_ACCENTS), match[0]]
+        end = match.end()
     parts.append(text[end:].translate(_ACCENTS))
     added = "~" * (len(text) // 3 - len(BEGIN + END))
-    if len(added) > _LONGEST_WORD:
-        added = " " + " ".join(re.findall(f"~{{1,{_LONGEST_WORD}}}", added))
+    if len(added) > _WORD_LENGTH:
+        added = " " + " ".join(re.findall(f"~{{1,{_WORD_LENGTH}}}", added))
     return f"{BEGIN}{''.join(parts)}{added}{END}"
 
 
@@ -111,10 +111,10 @@ def untranslated(text: str) -> str:
 
 
 def shown_texts(root: QWidget) -> Iterator[tuple[str, str]]:
-    """Yield the texts of the visible widgets below `root`, with their location."""
+    """Yield the place and the text of each visible widget below `root`."""
     for widget in [root, *root.findChildren(QWidget)]:
         is_of_qt = widget.objectName().startswith(("qt_", "Scroll"))  # translated by Qt
-        if not widget.isVisible() or is_of_qt or widget.objectName() in _OWN_WORDS:
+        if not widget.isVisible() or is_of_qt or widget.objectName() in _NOT_TRANSLATED_WIDGETS:
             continue
         where = f"{widget.objectName() or widget.metaObject().className()}"
         for kind, text in _texts_of(widget):
@@ -185,26 +185,26 @@ def cut_texts(root: QWidget) -> Iterator[str]:
             continue
         where = widget.objectName() or widget.metaObject().className()
         is_area = isinstance(widget, QScrollArea) and widget.horizontalScrollBar().isVisible()
-        if is_area and not isinstance(widget.parent(), QDockWidget):  # users make these narrow
+        if is_area and not isinstance(widget.parent(), QDockWidget):  # users may narrow a dock
             yield f"{where} scrolls sideways"
-        for text, needed, room in _needs(widget):
+        for text, needed, available in _needs(widget):
             if not text:
                 continue
-            if needed.width() > room.width() or needed.height() > room.height():
-                yield f"{where}: {text!r} needs {needed.toTuple()}, has {room.toTuple()}"
+            if needed.width() > available.width() or needed.height() > available.height():
+                yield f"{where}: {text!r} needs {needed.toTuple()}, has {available.toTuple()}"
             elif not _is_inside(widget):
                 yield f"{where}: {text!r} is outside"
 
 
 def _is_inside(widget: QWidget) -> bool:
-    """Return whether all of a widget can be seen, if necessary by scrolling."""
+    """Return whether the whole widget is visible, if necessary after scrolling."""
     rect, inner = widget.rect(), widget
     while (outer := inner.parentWidget()) is not None and not inner.isWindow():
         rect.translate(inner.pos())
         area = outer.parentWidget()
         if isinstance(area, QAbstractScrollArea) and outer is area.viewport():
-            never = area.horizontalScrollBarPolicy() is Qt.ScrollBarPolicy.ScrollBarAlwaysOff
-            if isinstance(area, QScrollArea) and never and not _holds_width(outer.rect(), rect):
+            no_bar = area.horizontalScrollBarPolicy() is Qt.ScrollBarPolicy.ScrollBarAlwaysOff
+            if isinstance(area, QScrollArea) and no_bar and not _fits_width(outer.rect(), rect):
                 return False
             rect = outer.rect()
         elif not outer.rect().contains(rect):
@@ -213,9 +213,8 @@ def _is_inside(widget: QWidget) -> bool:
     return True
 
 
-def _holds_width(room: QRect, rect: QRect) -> bool:
-    """Return whether a widget can be read without scrolling sideways."""
-    return room.left() <= rect.left() and rect.right() <= room.right()
+def _fits_width(view: QRect, rect: QRect) -> bool:
+    return view.left() <= rect.left() and rect.right() <= view.right()
 
 
 def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
@@ -223,7 +222,7 @@ def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
     style = widget.style()
     match widget:
         case ElidedLabel() if not widget.wordWrap():
-            pass  # its tool tip has the whole text
+            pass  # the tool tip contains the whole text
         case QLabel():
             yield _need_of_label(widget)
         case QPushButton() | QCheckBox() | QRadioButton():
@@ -234,18 +233,18 @@ def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
             box = QStyleOptionComboBox()
             widget.initStyleOption(box)
             field, combo = QStyle.SubControl.SC_ComboBoxEditField, QStyle.ComplexControl.CC_ComboBox
-            room = style.subControlRect(combo, box, field, widget).size()
-            yield widget.currentText(), _size(widget, widget.currentText()), room
+            available = style.subControlRect(combo, box, field, widget).size()
+            yield widget.currentText(), _size(widget, widget.currentText()), available
         case QAbstractSpinBox():
             (edit,) = widget.findChildren(QLineEdit)
             longest = max(_spin_box_texts(widget), key=len)
             yield longest, QSize(_size(widget, longest).width(), 0), edit.contentsRect().size()
         case QGroupBox():
             check = style.pixelMetric(QStyle.PixelMetric.PM_IndicatorWidth, None, widget)
-            beside = 2 * check if widget.isCheckable() else check // 2
-            yield widget.title(), _size(widget, widget.title(), beside), widget.size()
+            extra = 2 * check if widget.isCheckable() else check // 2
+            yield widget.title(), _size(widget, widget.title(), extra), widget.size()
         case PlaceBar() if widget.is_narrow:
-            pass  # its texts are tool tips
+            pass  # the texts are in tool tips
         case QTabBar():
             for index in filter(widget.isTabVisible, range(widget.count())):
                 place = widget.tabRect(index)
@@ -262,9 +261,9 @@ def _spin_box_texts(box: QAbstractSpinBox) -> Iterator[str]:
     yield box.specialValueText()
 
 
-def _size(widget: QWidget, text: str, beside: int = 0) -> QSize:
-    """Return the size of a text and of its icon."""
-    return widget.fontMetrics().size(Qt.TextFlag.TextShowMnemonic, text) + QSize(beside, 0)
+def _size(widget: QWidget, text: str, extra: int = 0) -> QSize:
+    """Return the size of a text, with some extra width for its icon."""
+    return widget.fontMetrics().size(Qt.TextFlag.TextShowMnemonic, text) + QSize(extra, 0)
 
 
 def _need_of_button(button: QAbstractButton) -> tuple[str, QSize, QSize]:
@@ -276,8 +275,8 @@ def _need_of_button(button: QAbstractButton) -> tuple[str, QSize, QSize]:
     option = QStyleOptionButton()
     option.initFrom(button)
     icon = 0 if button.icon().isNull() else button.iconSize().width() + 4
-    room = button.style().subElementRect(contents, option, button).size()
-    return button.text(), _size(button, button.text(), icon), room
+    available = button.style().subElementRect(contents, option, button).size()
+    return button.text(), _size(button, button.text(), icon), available
 
 
 def _needs_of_header(header: QHeaderView) -> Iterator[tuple[str, QSize, QSize]]:
@@ -285,8 +284,8 @@ def _needs_of_header(header: QHeaderView) -> Iterator[tuple[str, QSize, QSize]]:
     for section in range(header.count()):
         text = header.model().headerData(section, header.orientation())
         if isinstance(text, str) and not header.isSectionHidden(section):
-            room = QSize(header.sectionSize(section), header.height())
-            yield text, _size(header, text, 2 * margin), room
+            available = QSize(header.sectionSize(section), header.height())
+            yield text, _size(header, text, 2 * margin), available
 
 
 def _need_of_label(label: QLabel) -> tuple[str, QSize, QSize]:

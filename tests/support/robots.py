@@ -1,4 +1,4 @@
-"""Simulated robot: a board with two wheels, and its setup assistant."""
+"""Simulated robot with two wheels, and the assistant that sets it up."""
 
 from collections.abc import Callable
 
@@ -17,9 +17,9 @@ class Robot:
     """Simulated board with two wheels.
 
     Attributes:
-        motors: the motor of each wheel.
-        directions: 1, or -1 for a wheel that turns backward when its motor is driven forward.
-        pushed: the pulse of a stick that is pushed forward or right, in µs.
+        motors: side of a wheel → number of its motor.
+        directions: side of a wheel → 1, or -1 if it turns backward while its motor runs forward.
+        pushed: pulse of a stick that is pushed forward or right, in µs.
     """
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
@@ -35,8 +35,8 @@ class Robot:
         self.qtbot.waitUntil(lambda: bool(condition()))
 
     def pass_time(self, seconds: float) -> None:
-        until = now() + seconds
-        self.wait(lambda: now() >= until)
+        end = now() + seconds
+        self.wait(lambda: now() >= end)
 
     def connect(self) -> None:
         self.device.connect_to(ConnectionSettings(self.simulator.url))
@@ -45,7 +45,7 @@ class Robot:
         self.device.motors.accept_arming_without_timeout()
 
     def speeds(self) -> tuple[int, int]:
-        """Signed speeds of the simulated outputs. 0 while braking."""
+        """Return the signed speed of each simulated motor. 0 while it brakes."""
         signs = {"forward": 1, "reverse": -1, "brake": 0}
         first, second = (
             signs[m["direction"]] * m["speed"] for m in self.simulator.show()["motors"]
@@ -53,7 +53,7 @@ class Robot:
         return first, second
 
     def wheels(self) -> dict[Side, int]:
-        """Directions of the wheels: 1 forward, -1 backward, 0 stopped."""
+        """Return the direction of each wheel: 1 forward, -1 backward, 0 stopped."""
         speeds = self.speeds()
         turns = {side: speeds[self.motors[side] - 1] * self.directions[side] for side in Side}
         return {side: (turn > 0) - (turn < 0) for side, turn in turns.items()}
@@ -75,7 +75,7 @@ class Robot:
             self.setup.skip()
 
     def find_motors(self) -> None:
-        """Answer which wheel the pulses of each motor turn."""
+        """Pulse each motor and record the wheel that turns."""
         setup = self.setup
         self.arm()
         for motor in (1, 2):
@@ -84,8 +84,8 @@ class Robot:
             ((side, turn),) = ((side, turn) for side, turn in self.wheels().items() if turn)
             setup.pulses.release()
             self.wait(lambda: self.speeds() == (0, 0))
-            seen = (each for each in Movement if (each.side, each.forward) == (side, turn > 0))
-            setup.record_movement(motor, next(seen))
+            movements = (each for each in Movement if (each.side, each.forward) == (side, turn > 0))
+            setup.record_movement(motor, next(movements))
 
     def push(self, *channels: int) -> None:
         for channel in (1, 2):
@@ -94,7 +94,7 @@ class Robot:
         self.pass_time(0.3)
 
     def show_sticks(self) -> None:
-        """Push the sticks forward, then one stick right, and confirm each."""
+        """Push each stick and record it: a single stick forward, then right."""
         one_stick = self.setup.driver is Driver.ONE_STICK
         for channels in ((2,), (1,)) if one_stick else ((1, 2),):
             self.push(*channels)

@@ -1,4 +1,4 @@
-"""Scripts of `packaging/`, imported by path, because the folder shares a library's name."""
+"""Scripts of `packaging/`, loaded by path because a library is called `packaging` too."""
 
 import importlib.util
 import sys

@@ -1,4 +1,4 @@
-"""Simulator in a separate process."""
+"""Simulated devices: their common interface, and the simulator in a separate process."""
 
 import json
 import os
@@ -15,8 +15,8 @@ from typing import Any
 
 from trex_gui.testing import SimulatedTrex
 
-_SLOW = 0.1  # seconds in which a slow port does nothing
-_OWN_PLACES = {"--link", "--tcp", "--rfc2217"}
+_SLOW_S = 0.1  # pause of a slow port
+_PORT_OPTIONS = {"--link", "--tcp", "--rfc2217"}
 
 
 class PortFault(Enum):
@@ -29,17 +29,17 @@ class PortFault(Enum):
 
 
 class SimulatedDevice(ABC):
-    """Simulated device and its control line.
+    """Simulated device that obeys control lines.
 
     Attributes:
-        url: what the program opens.
+        url: address of its port.
     """
 
     url: str
 
     @abstractmethod
     def set_port_fault(self, fault: PortFault) -> None:
-        """Start a fault of the port. `NONE` ends it. A jammed port accepts no control lines."""
+        """Start a fault of the port. `NONE` ends it. A jammed port obeys no control lines."""
 
     @abstractmethod
     def obey(self, line: str) -> str:
@@ -51,11 +51,11 @@ class SimulatedDevice(ABC):
 
     def do(self, *lines: str) -> str:
         """Send control lines. Return the text after the last `ok`."""
-        answer = ""
+        reply = ""
         for line in lines:
-            answer = self.obey(line)
-            assert answer.startswith("ok"), f"{line}: {answer}"
-        return answer.removeprefix("ok").strip()
+            reply = self.obey(line)
+            assert reply.startswith("ok"), f"{line}: {reply}"
+        return reply.removeprefix("ok").strip()
 
     def show(self, board: str = "") -> dict[str, Any]:
         """Return the state of the device. `board` selects one of several, such as `@9`."""
@@ -64,52 +64,52 @@ class SimulatedDevice(ABC):
 
 
 StartSimulator = Callable[..., SimulatedDevice]
-"""Starts a simulator with these options of `trex-sim`."""
+"""Function that starts a simulator with options of `trex-sim`."""
 
 
 class SimulatorProcess(SimulatedDevice):
-    """`trex-sim` in a separate process, and its control line.
+    """`trex-sim` in a separate process.
 
-    Its pseudo-terminal has a unique name, because another simulator may get the number of an
-    unplugged terminal.
+    Its pseudo-terminal has a unique name, because the system may give the number of an unplugged
+    terminal to another simulator.
     """
 
     def __init__(self, *arguments: str) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="trex-sim")
         link: tuple[str, ...] = ()
-        if sys.platform != "win32" and not _OWN_PLACES & set(arguments):
+        if sys.platform != "win32" and not _PORT_OPTIONS & set(arguments):
             link = "--link", str(Path(self._folder.name) / "port")
         self._simulated = SimulatedTrex(*arguments, *link)
         self._process, self.url = self._simulated.process, self._simulated.url
-        self._heal_port: Callable[[], object] = lambda: None
+        self._end_fault: Callable[[], object] = lambda: None
 
     def set_port_fault(self, fault: PortFault) -> None:
-        self._heal_port()
-        self._heal_port = lambda: None
+        self._end_fault()
+        self._end_fault = lambda: None
         if fault is PortFault.JAMMED:
             self._process.send_signal(signal.SIGSTOP)
-            self._heal_port = lambda: self._process.send_signal(signal.SIGCONT)
+            self._end_fault = lambda: self._process.send_signal(signal.SIGCONT)
         elif fault is not PortFault.NONE:
             act = self._slow_down if fault is PortFault.SLOW else self._steal
             is_over = threading.Event()
             thread = threading.Thread(target=act, args=(is_over,))
             thread.start()
 
-            def heal() -> None:
+            def end() -> None:
                 is_over.set()
                 thread.join()
 
-            self._heal_port = heal
+            self._end_fault = end
 
     def _slow_down(self, is_over: threading.Event) -> None:
         while not is_over.is_set():
             self._process.send_signal(signal.SIGSTOP)
-            is_over.wait(_SLOW)
+            is_over.wait(_SLOW_S)
             self._process.send_signal(signal.SIGCONT)
-            is_over.wait(_SLOW / 5)
+            is_over.wait(_SLOW_S / 5)
 
     def _steal(self, is_over: threading.Event) -> None:
-        """Read received bytes like a program that ignores locks. Not all systems allow it."""
+        """Read bytes meant for the program, if the system allows it in spite of a lock."""
         with suppress(OSError):
             port = os.open(self.url, os.O_RDONLY | os.O_NOCTTY | os.O_NONBLOCK)
             try:
@@ -123,6 +123,6 @@ class SimulatorProcess(SimulatedDevice):
         return self._simulated.obey(line)
 
     def end(self) -> None:
-        self._heal_port()
+        self._end_fault()
         self._simulated.close()
         self._folder.cleanup()

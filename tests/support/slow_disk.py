@@ -1,4 +1,4 @@
-"""Disk that takes seconds for each file, in virtual time."""
+"""Disk that needs seconds for each file, in virtual time."""
 
 import os
 from pathlib import Path
@@ -13,10 +13,10 @@ SECONDS = 1.5
 
 
 class SlowDisk:
-    """Slows down checking and saving a file by `SECONDS` each.
+    """Delays the check and the save of each file by `SECONDS`.
 
     Attributes:
-        stalls: what the thread of the window did itself.
+        stalls: delayed actions in the thread of the window.
     """
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -25,11 +25,11 @@ class SlowDisk:
         check, sync = files.check_ordinary, os.fsync
 
         def slow_check(path: Path) -> None:
-            self._delay(f"looks at {path.name}")
+            self._delay(f"check of {path.name}")
             check(path)
 
         def slow_sync(handle: int) -> None:
-            self._delay("saves")
+            self._delay("save")
             sync(handle)
 
         monkeypatch.setattr(files, "check_ordinary", slow_check)

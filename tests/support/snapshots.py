@@ -1,4 +1,4 @@
-"""History without a board."""
+"""Snapshots for tests, without a board."""
 
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
@@ -19,7 +19,7 @@ def create_snapshot(
     reason: str = "Apply of 2 settings",
     **values: int,
 ) -> Snapshot:
-    """Create a snapshot of a factory board with some other values."""
+    """Create a snapshot of a board with factory settings, except for `values`."""
     board = factory(model)
     settings = replace(
         board,

@@ -1,4 +1,4 @@
-"""Bytes on a line, and the rows of their transcript."""
+"""Bytes on a line and their transcript."""
 
 from collections.abc import Iterable
 
@@ -11,21 +11,21 @@ from trex_gui.core.transport.traffic import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
-Said = tuple[bytes, bytes]
+Exchange = tuple[bytes, bytes]
 """Sent bytes and their reply."""
 
 
 def pieces_of(
-    talk: Iterable[Said], cut: int = 0, settings: ConnectionSettings | None = None
+    exchanges: Iterable[Exchange], piece: int = 0, settings: ConnectionSettings | None = None
 ) -> list[TrafficEvent]:
-    """Return the bytes of a line, with replies in pieces of `cut` bytes."""
+    """Return the traffic of a line. Replies arrive in pieces of `piece` bytes, or whole."""
     now = 0.0
     pieces = [TrafficEvent(now, TrafficDirection.LINE, text="Opened.", settings=settings)]
-    for sent, received in talk:
+    for sent, received in exchanges:
         now += 0.001
         if sent:
             pieces.append(TrafficEvent(now, TrafficDirection.SENT, sent))
-        size = cut or max(len(received), 1)
+        size = piece or max(len(received), 1)
         for at in range(0, len(received), size):
             now += 0.002
             pieces.append(TrafficEvent(now, TrafficDirection.RECEIVED, received[at : at + size]))
@@ -33,11 +33,11 @@ def pieces_of(
 
 
 def rows_of(decoder: Decoder, pieces: list[TrafficEvent]) -> list[Transaction]:
-    """Return the rows with bytes."""
+    """Return the transcript's rows with bytes."""
     return [row for row in TransactionAssembler(decoder).feed(pieces) if not row.note]
 
 
 def reports(decoder: Decoder, pieces: list[TrafficEvent]) -> list[tuple[str, bool]]:
-    """Return the meanings of the rows, and their faults."""
-    words = [decoder.decoded(row) for row in rows_of(decoder, pieces)]
-    return [(one.text, one.is_fault) for one in words]
+    """Return the meaning of each row, and whether the row is a fault."""
+    meanings = [decoder.decoded(row) for row in rows_of(decoder, pieces)]
+    return [(meaning.text, meaning.is_fault) for meaning in meanings]

@@ -12,22 +12,22 @@ RATE = 50.0
 """Pulses of a receiver, and new values of the board, per second."""
 
 LOST_AFTER = 5
-"""Missing pulses in a row before the board reports no signal (100 ms)."""
+"""Consecutive missing pulses until the board reports no signal (100 ms)."""
 
 
 @dataclass(frozen=True)
 class Stick:
-    """Signal of one channel. Values in µs, or in V with `source` analog.
+    """Stick and the signal of its channel. Values in µs, or in V if `source` is analog.
 
     Attributes:
-        rest, low, high: where it rests and how far it goes.
+        rest, low, high: values of the released stick and of its ends.
         noise: standard deviation of each value.
-        drift: how fast its rest wanders, a second.
-        lost: share of the pulses that do not come.
-        spikes: share of the pulses that are far off.
-        forward_is_down: it is built the other way round.
-        twitches: how far it moves, now and then, though nobody should touch it.
-        connected: whether it gives anything at all.
+        drift: change of the rest value per second.
+        lost: share of missing pulses.
+        spikes: share of pulses with a wrong value.
+        forward_is_down: whether the value falls while the stick is pushed forward.
+        twitches: size of a short movement of the released stick.
+        connected: whether there is a signal.
     """
 
     rest: float = 1500.0
@@ -44,12 +44,12 @@ class Stick:
 
     def value(self, position: float, seconds: float = 0.0) -> float:
         """Return the value at a position: -1 back or left, 0 released, 1 forward."""
-        where = -position if self.forward_is_down else position
-        end = self.high if where > 0 else self.low
-        return self.rest + abs(where) * (end - self.rest) + self.drift * seconds
+        signed = -position if self.forward_is_down else position
+        end = self.high if signed > 0 else self.low
+        return self.rest + abs(signed) * (end - self.rest) + self.drift * seconds
 
     def truth(self) -> tuple[float, float, float]:
-        """Return minimum, neutral and maximum in counts for an ideal observer."""
+        """Return the exact minimum, neutral and maximum in counts."""
         per_unit = self.source.counts_per_unit
         return self.low * per_unit, self.rest * per_unit, self.high * per_unit
 
@@ -62,22 +62,22 @@ class Stick:
     ) -> list[ChannelSample]:
         """Return the samples of the board during `moves`: (seconds, target position).
 
-        `rate`: samples per second. The board may renew its inputs more often.
+        `rate`: samples per second, which may be fewer than the pulses per second.
         """
-        taken: list[ChannelSample] = []
+        samples: list[ChannelSample] = []
         position, missing, last = 0.0, 0, None
         pulses = 0
         for seconds, target in moves:
             steps = max(1, round(seconds * RATE))
-            begin = position
+            first = position
             for step in range(1, steps + 1):
-                position = begin + (target - begin) * step / steps
+                position = first + (target - first) * step / steps
                 moment = pulses / RATE
                 last, missing = self._pulse(position, moment, random, last, missing)
-                if moment >= len(taken) / rate:
-                    taken.append(ChannelSample(start + moment, last))
+                if moment >= len(samples) / rate:
+                    samples.append(ChannelSample(start + moment, last))
                 pulses += 1
-        return taken
+        return samples
 
     def _pulse(
         self, position: float, seconds: float, random: Random, last: int | None, missing: int
@@ -95,7 +95,7 @@ class Stick:
         return max(0, min(self.source.highest_count, count)), 0
 
     def line(self, channel: int, position: float) -> str:
-        """Return the control line that applies the value to an input of the simulated board."""
+        """Return the control line that sets an input of the simulated board to the value."""
         if not self.connected:
             return f"channel {channel} silent"
         unit = "us" if self.source is InputSource.RC else "V"
@@ -106,23 +106,23 @@ class Stick:
 
 
 HOLD = ((0.2, 1.0), (0.3, 1.0), (0.3, -1.0), (0.3, -1.0), (0.2, 0.0), (0.2, 0.0))
-"""Push a stick all the way, hold, pull it all the way back, hold, release."""
+"""Moves of a stick: push it to its end, hold, pull it to the other end, hold, release."""
 
 
 class Transmitter:
-    """Transmitter in front of a simulated board."""
+    """Transmitter that controls the inputs of a simulated board."""
 
     def __init__(self, simulator: SimulatedDevice, sticks: dict[int, Stick]) -> None:
         self._simulator = simulator
         self.sticks = sticks
-        self.let_go()
+        self.release()
 
     def put(self, channel: int, position: float) -> None:
         """Hold a stick at a position."""
         self._simulator.do(self.sticks[channel].line(channel, position))
 
     def is_at_rest(self, raw: Callable[[int], int | None]) -> bool:
-        """Return whether every channel shows its stick at rest, or no signal if expected."""
+        """Return whether the board reads each stick at rest, or no signal where none is sent."""
         return all(self._is_idle(channel, raw(channel)) for channel in self.sticks)
 
     def _is_idle(self, channel: int, count: int | None) -> bool:
@@ -132,7 +132,7 @@ class Transmitter:
         noise = 5 * stick.noise * stick.source.counts_per_unit
         return stick.connected and abs(count - stick.truth()[1]) <= 2 + noise
 
-    def let_go(self, channels: Sequence[int] | None = None) -> None:
-        """Release all sticks."""
+    def release(self, channels: Sequence[int] | None = None) -> None:
+        """Release some sticks, by default all."""
         for channel in channels or tuple(self.sticks):
             self.put(channel, 0.0)

@@ -1,4 +1,4 @@
-"""Host's end of a simulated line in virtual time."""
+"""Host side of a simulated line in virtual time."""
 
 from collections.abc import Collection
 from typing import Generic, TypeVar
@@ -11,14 +11,13 @@ LineT = TypeVar("LineT", bound=SimulatedLine)
 
 
 class SimulatedTransport(Generic[LineT]):
-    """Host's end of a simulated wire. Time passes only while the host reads or waits.
+    """Transport to a simulated device. Time passes only while the host reads or waits.
 
     Attributes:
-        line: the wire, and the device at its other end.
-        sent: all that was written.
-        written: each write with its time.
-        closed: whether it was closed.
-        fail: what every access raises; `None` while the line is there.
+        line: simulated line with its device.
+        sent: all written bytes.
+        written: time and bytes of each write.
+        fail: exception that each access raises. `None`: the line works.
     """
 
     latency = 0.005

@@ -16,9 +16,9 @@ VirtualTransport = SimulatedTransport[SimulatedBoards]
 
 
 class Script:
-    """Inbox whose requests arrive at given virtual times. Closes after the last.
+    """Inbox whose requests arrive at given virtual times. After the last, it closes the line.
 
-    A step may also be a function, called at its time: to turn a knob of the board.
+    A step is a request, or a function that changes the board.
     """
 
     def __init__(self, line: SimulatedBoards) -> None:
@@ -51,11 +51,11 @@ class Script:
 
 
 class SessionHarness:
-    """Board, wire, and a session that runs from a script. `others` share the wire."""
+    """Board, wire, and a session that follows a script. `other_boards` share the wire."""
 
-    def __init__(self, board: Board, *others: Board, echo: bool = False) -> None:
+    def __init__(self, board: Board, *other_boards: Board, echo: bool = False) -> None:
         self.board = board
-        self.line = SimulatedBoards([board, *others], echo=echo)
+        self.line = SimulatedBoards([board, *other_boards], echo=echo)
         self.transport = VirtualTransport(self.line)
         self.script = Script(self.line)
         self.reports: list[Report] = []
@@ -65,14 +65,14 @@ class SessionHarness:
             self.transport, settings or ConnectionSettings("virtual"), echo=self.line.echo
         )
 
-    def fault(self, **knobs: float) -> Callable[[], None]:
+    def fault(self, **values: float) -> Callable[[], None]:
         """Return a step of the script that changes the faults of the line."""
-        return lambda: vars(self.line.faults).update(knobs)
+        return lambda: vars(self.line.faults).update(values)
 
     def run(
         self, settings: ConnectionSettings | None = None, *, may_move: bool = False
     ) -> list[Report]:
-        """Run the script from opening to closing the line. Return all reports."""
+        """Open the line, run the script, close the line. Return all reports."""
         session = TrexSession(
             settings or ConnectionSettings("virtual"),
             self.script,

@@ -10,21 +10,21 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.cli import main
 from trex_gui.core.host import Host
 
-LONGEST = 3600.0
-"""Virtual seconds after which a command counts as hung."""
+TIMEOUT = 3600.0
+"""Virtual seconds after which a command has hung."""
 
 
 class VirtualCommand:
-    """Run of `trexcmd` with the part of `subprocess.Popen` that tests use.
+    """Run of `trexcmd` with the methods of `subprocess.Popen` that tests use.
 
     Attributes:
-        returncode: how it ended; `None` while it runs.
+        returncode: exit code, or `None` while it runs.
     """
 
     def __init__(
         self,
         runtime: VirtualRuntime,
-        words: Sequence[str],
+        arguments: Sequence[str],
         environment: dict[str, str | None],
         stdin: str | None = None,
     ) -> None:
@@ -36,7 +36,7 @@ class VirtualCommand:
         def run() -> None:
             self._task = greenlet.getcurrent()
             self._result = CliRunner().invoke(
-                main, list(words), env=environment, input=stdin, obj=host
+                main, list(arguments), env=environment, input=stdin, obj=host
             )
             self.returncode = self._result.exit_code
 
@@ -55,20 +55,20 @@ class VirtualCommand:
     def terminate(self) -> None:
         self.send_signal(signal.SIGTERM)
 
-    def wait(self, timeout: float = LONGEST) -> int:
+    def wait(self, timeout: float = TIMEOUT) -> int:
         """Let time pass until the command has ended. Return its exit code."""
         assert self._runtime.run_until(lambda: self.returncode is not None, timeout)
         assert self.returncode is not None
         return self.returncode
 
-    def communicate(self, timeout: float = LONGEST) -> tuple[str, str]:
-        """Let time pass until the command has ended. Return its output and its messages."""
+    def communicate(self, timeout: float = TIMEOUT) -> tuple[str, str]:
+        """Let time pass until the command has ended. Return stdout and stderr."""
         self.wait(timeout)
         return self.result.stdout, self.result.stderr
 
-    def ends(self, exits: int) -> Result:
-        """Let time pass until the command has ended with an expected exit code."""
-        assert self.wait() == exits, self.result.output
+    def ends(self, exit_code: int) -> Result:
+        """Let time pass until the command has ended. Check its exit code."""
+        assert self.wait() == exit_code, self.result.output
         return self.result
 
     @property

@@ -19,20 +19,20 @@ from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.transport.serial_port import Transport, open_error
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
-_EPSILON = 1e-9  # seconds; swallows the rounding of summed times
-_SLICE = 0.02  # seconds between two checks of the cable
-_SLOW = 0.1  # seconds for each write to a slow port
-_NO_ROOM = 1.0  # seconds until a write to a jammed port fails
-_HANDING_OVER = 1.5  # seconds that the program waits for a port that it still has open
+_EPSILON = 1e-9  # seconds; more than the rounding errors of summed times
+_CHECK_S = 0.02  # time between two checks of the cable
+_SLOW_S = 0.1  # time of a write to a slow port
+_JAMMED_S = 1.0  # time until a write to a jammed port fails
+_HANDOVER_S = 1.5  # time that the program waits for a port that it still has open
 
 
 class VirtualSimulator(SimulatedDevice):
-    """Simulation like `trex-sim`, without a process: same options, same control lines.
+    """Simulation in this process, with the options and control lines of `trex-sim`.
 
     Attributes:
-        on_write: gets all that a host sends, before it goes out, in the thread of the host.
-        on_close: is called when a host closes the port, before it is free.
-        rates: the baud rates that the port can do; `None`: it cannot tell.
+        on_write: called with the bytes of each write, before they are sent, in the host's thread.
+        on_close: called when the host closes the port, before another host can open it.
+        rates: baud rates of the port, or `None` if it does not report them.
     """
 
     def __init__(self, runtime: VirtualRuntime, url: str, *arguments: str) -> None:
@@ -45,7 +45,7 @@ class VirtualSimulator(SimulatedDevice):
         self.on_close: Callable[[], object] = _do_nothing
         self.rates: frozenset[int] | None = None
         self.port_fault = PortFault.NONE
-        self._began = runtime.now() - self.line.now
+        self._start = runtime.now() - self.line.now
         runtime.ports[url] = self
 
     def set_port_fault(self, fault: PortFault) -> None:
@@ -58,38 +58,38 @@ class VirtualSimulator(SimulatedDevice):
     def obey(self, line: str) -> str:
         self.catch_up()
         was_plugged = self.line.faults.plugged
-        answer = self.simulation.control(line)
+        reply = self.simulation.control(line)
         if was_plugged and not self.line.faults.plugged:
             self.line.drop_unsent()
         elif self.line.faults.plugged and not was_plugged:
-            answer = f"{answer} {self.url}"
-        return answer
+            reply = f"{reply} {self.url}"
+        return reply
 
     def move_cable_to(self, other: "VirtualSimulator") -> None:
-        """Make another board reply at the open port. This device then has no host."""
+        """Connect the open port to another device instead of this device."""
         host, self.host = self.host, None
         assert host is not None
         assert other.host is None
         other.host = host
         host.use(other)
 
-    # --- For the ends of its wire -------------------------------------------------------
+    # --- Transport ----------------------------------------------------------------------
 
     def catch_up(self) -> None:
         """Process all events on the line up to the current time."""
-        self.line.advance_to(self.runtime.now() - self._began + _EPSILON)
+        self.line.advance_to(self.runtime.now() - self._start + _EPSILON)
 
     @property
     def next_event(self) -> float:
-        """Return the time of the next event on the line, on the runtime's clock."""
+        """Runtime's time of the next event on the line."""
         event = self.line.next_event
-        return math.inf if event is None else self._began + event
+        return math.inf if event is None else self._start + event
 
     def open(self, settings: PortSettings) -> Transport:
         """Open the port. See `SerialTransport`."""
-        deadline = self.runtime.now() + _HANDING_OVER
+        deadline = self.runtime.now() + _HANDOVER_S
         while self.host is not None and self.runtime.now() < deadline:
-            self.runtime.sleep(_SLICE)
+            self.runtime.sleep(_CHECK_S)
         if self.host is not None or not self.line.faults.plugged:
             number = errno.EBUSY if self.host is not None else errno.ENOENT
             raise open_error(settings.url, settings.line, OSError(number, ""))
@@ -111,7 +111,7 @@ def _simulation(arguments: Sequence[str]) -> Simulation:
 
 
 class VirtualTransport:
-    """Host's end of a simulated wire."""
+    """Transport of the program to a simulated device."""
 
     latency = 0.06
     is_configurable = True
@@ -130,7 +130,7 @@ class VirtualTransport:
         self._simulator = simulator
         self._line = simulator.line
         simulator.catch_up()
-        self._line.receive()  # discards bytes sent before
+        self._line.receive()  # discards earlier bytes
         self._line.host = self._format
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
@@ -144,10 +144,10 @@ class VirtualTransport:
         self._simulator.on_write(data)
         fault = self._simulator.port_fault
         if fault is PortFault.JAMMED:
-            self._runtime.sleep(_NO_ROOM)
+            self._runtime.sleep(_JAMMED_S)
             raise self._gone()
         if fault is PortFault.SLOW:
-            self._runtime.sleep(_SLOW)
+            self._runtime.sleep(_SLOW_S)
         self._catch_up()
         self._line.send(data)
         self._catch_up()
@@ -160,7 +160,7 @@ class VirtualTransport:
                 data = bytes(self._received[:size])
                 del self._received[:size]
                 return data
-            moment = min(deadline, self._simulator.next_event, self.clock() + _SLICE)
+            moment = min(deadline, self._simulator.next_event, self.clock() + _CHECK_S)
             self._runtime.sleep_until(max(moment, self.clock() + _EPSILON))
 
     def discard(self) -> bytes:
@@ -197,9 +197,9 @@ class VirtualTransport:
 
 
 class VirtualProcess(QProcess):
-    """Simulated process of a simulator, which takes some time to start."""
+    """Process of a simulator, simulated in virtual time. It needs some time to start."""
 
-    _STARTING = 0.3  # seconds
+    _START_S = 0.3
 
     def __init__(self, runtime: VirtualRuntime, parent: QObject) -> None:
         super().__init__(parent)
@@ -219,9 +219,9 @@ class VirtualProcess(QProcess):
             if self._state is QProcess.ProcessState.Running:
                 url = f"/virtual/demo{len(self._runtime.ports)}"
                 self._simulator = VirtualSimulator(self._runtime, url, *options)
-                self._say(f"ready {url}")
+                self._print(f"ready {url}")
 
-        self._runtime.at(self._runtime.now() + self._STARTING, on_started, of_gui=True)
+        self._runtime.at(self._runtime.now() + self._START_S, on_started, of_gui=True)
 
     def _fail_to_start(self) -> None:
         self.errorOccurred.emit(QProcess.ProcessError.FailedToStart)
@@ -232,7 +232,7 @@ class VirtualProcess(QProcess):
     def write(self, data: bytes) -> int:  # type: ignore[override]
         for line in data.decode().splitlines():
             if self._simulator is not None:
-                self._answer(self._simulator, line)
+                self._obey(self._simulator, line)
         return len(data)
 
     def closeWriteChannel(self) -> None:
@@ -254,13 +254,13 @@ class VirtualProcess(QProcess):
     def kill(self) -> None:
         self._end()
 
-    def _answer(self, simulator: VirtualSimulator, line: str) -> None:
-        answer = simulator.obey(line)
-        self._runtime.at(self._runtime.now(), lambda: self._say(answer), of_gui=True)
-        if answer == GOODBYE:
+    def _obey(self, simulator: VirtualSimulator, line: str) -> None:
+        reply = simulator.obey(line)
+        self._runtime.at(self._runtime.now(), lambda: self._print(reply), of_gui=True)
+        if reply == GOODBYE:
             self._end()
 
-    def _say(self, text: str) -> None:
+    def _print(self, text: str) -> None:
         self._output.append(text)
         self.readyReadStandardOutput.emit()
 

@@ -1,8 +1,8 @@
-"""Virtual time: the whole program on one clock that only tests advance.
+"""Virtual time: the whole program runs on a clock that only tests advance.
 
-Threads of the program become greenlets in the test's thread. Timers and waits become events on one
-time line. Nothing runs concurrently, nothing waits in real time, and every run is identical. Qt's
-own work (painting, layouts, posted events) happens between two events.
+Threads of the program become greenlets in the test's thread. Timers and waits become events in one
+queue. Nothing runs concurrently, nothing waits in real time, and all runs of a test are identical.
+Qt's own work (painting, layouts, posted events) happens between two events.
 """
 
 import heapq
@@ -29,9 +29,9 @@ START = 1000.0
 """Virtual seconds at the start of every test."""
 
 FRAME = 1.0
-"""Virtual seconds between two paint events, which cost more than all the rest."""
+"""Virtual seconds between two paint events, which take most of the processor time."""
 
-LOOK = 0.01
+CHECK = 0.01
 """Virtual seconds between two checks of a condition."""
 
 WAIT_MS = 60_000
@@ -42,9 +42,7 @@ BlockerT = TypeVar("BlockerT", SignalBlocker, MultiSignalBlocker)
 
 
 class Event:
-    """Action at a time, unless cancelled. `of_gui`: an action of the GUI thread, which may be
-    waiting.
-    """
+    """Scheduled action, unless cancelled. `of_gui`: it needs the GUI thread, which may be busy."""
 
     __slots__ = ("action", "of_gui")
 
@@ -57,17 +55,17 @@ class Event:
 
 
 class Port(Protocol):
-    """Target of a URL."""
+    """Port that can be opened."""
 
     def open(self, settings: PortSettings) -> Transport: ...
 
 
 class VirtualRuntime(Runtime):
-    """Clock with everything that waits for it.
+    """Clock, and the queue of events that wait for it.
 
     Attributes:
-        ports: what can be opened, by URL.
-        make_process: makes what stands in for a process that the program starts.
+        ports: URL → port.
+        make_process: creates the replacement of a process that the program starts.
     """
 
     def __init__(self) -> None:
@@ -108,7 +106,7 @@ class VirtualRuntime(Runtime):
 
         def join() -> None:
             while not task.dead:
-                self.sleep(LOOK)
+                self.sleep(CHECK)
 
         return join
 
@@ -120,8 +118,8 @@ class VirtualRuntime(Runtime):
     def open_transport(self, settings: PortSettings) -> Transport:
         if settings.url in self.ports:
             return self.ports[settings.url].open(settings)
-        super().open_transport(settings).close()  # a missing port has its own message
-        raise RuntimeError(f"{settings.url} is a real port: mark the test realtime")
+        super().open_transport(settings).close()  # raises the error of a missing port
+        raise RuntimeError(f"{settings.url} is a real port: mark the test as realtime")
 
     # --- For simulated devices ----------------------------------------------------------
 
@@ -148,16 +146,16 @@ class VirtualRuntime(Runtime):
             event.cancel()  # an exception may have interrupted the wait
 
     def switch_to_main(self) -> None:
-        """Run everything else until a switch back."""
+        """Run other tasks until one of them switches back."""
         if greenlet.getcurrent() is self._main:
-            raise RuntimeError("the GUI thread would wait for ever")
+            raise RuntimeError("the GUI thread would wait forever")
         self._main.switch()
 
     # --- For tests ----------------------------------------------------------------------
 
     @property
     def is_idle(self) -> bool:
-        """True if no thread runs."""
+        """Whether no thread is running."""
         return not self._tasks
 
     def advance(self, seconds: float) -> None:
@@ -172,7 +170,7 @@ class VirtualRuntime(Runtime):
         while not condition():
             if self._now >= end:
                 return False
-            self._run(min(end, self._now + LOOK), lambda: False)
+            self._run(min(end, self._now + CHECK), lambda: False)
         deliver()
         return True
 
@@ -190,7 +188,7 @@ class VirtualRuntime(Runtime):
     def _live(self, thread: QThread) -> None:
         try:
             thread.run()
-        except Exception:  # noqa: BLE001 - as PySide does in a thread of Qt's
+        except Exception:  # noqa: BLE001 - like PySide in a QThread
             kind, error, trace = sys.exc_info()
             assert kind is not None
             assert error is not None
@@ -206,20 +204,20 @@ class VirtualRuntime(Runtime):
     def _run(self, until: float, done: Callable[[], bool], *, with_gui: bool = True) -> bool:
         if greenlet.getcurrent() is not self._main:
             raise RuntimeError("only the GUI thread lets time pass")
-        before, self._until = self._until, until
-        held: list[tuple[float, int, Event]] = []
+        previous, self._until = self._until, until
+        postponed: list[tuple[float, int, Event]] = []
         try:
             while not done():
                 moment = self._next()
                 if moment > until or moment == math.inf:
                     if until == math.inf:
-                        raise RuntimeError("what is waited for never happens")
+                        raise RuntimeError("no event is left that could end the wait")
                     self._now = max(self._now, until)
                     break
                 entry = heapq.heappop(self._events)
                 event = entry[2]
                 if event.of_gui and not with_gui:
-                    held.append(entry)
+                    postponed.append(entry)
                     continue
                 self._now = max(self._now, moment)
                 action, event.action = event.action, None
@@ -231,8 +229,8 @@ class VirtualRuntime(Runtime):
                         self._painted = self._now
                         deliver()
         finally:
-            self._until = before
-            for entry in held:
+            self._until = previous
+            for entry in postponed:
                 heapq.heappush(self._events, entry)
         return done()
 
@@ -303,7 +301,7 @@ class VirtualTimer(QTimer):
         self._due = 0.0
 
     def start(self, *milliseconds: object) -> None:
-        if milliseconds and isinstance(milliseconds[0], int):  # not the text of a signal
+        if milliseconds and isinstance(milliseconds[0], int):  # a connected signal may pass a text
             self.setInterval(milliseconds[0])
         self.stop()
         self._schedule(self._runtime.now())
@@ -366,7 +364,7 @@ class VirtualQtBot(QtBot):
             return result is None or bool(result)
 
         if not self.runtime.run_until(holds, timeout / 1000):
-            raise self.TimeoutError(f"waited {timeout} virtual ms in vain") from failure
+            raise self.TimeoutError(f"condition not met within {timeout} virtual ms") from failure
 
     def waitSignal(self, signal: Any, *, timeout: int = WAIT_MS, **options: Any) -> SignalBlocker:
         blocker = super().waitSignal(signal, timeout=timeout, **options)
@@ -379,14 +377,14 @@ class VirtualQtBot(QtBot):
         return self._in_virtual_time(blocker)
 
     def _in_virtual_time(self, blocker: BlockerT) -> BlockerT:
-        """Let a blocker of pytest-qt wait in virtual time."""
-        milliseconds, blocker.timeout = blocker.timeout, 0  # the blocker must not wait by itself
+        """Make a blocker of pytest-qt wait in virtual time."""
+        milliseconds, blocker.timeout = blocker.timeout, 0  # it must not wait in real time
 
         def wait() -> None:
-            came = self.runtime.run_until(
+            is_emitted = self.runtime.run_until(
                 lambda: blocker.signal_triggered, (milliseconds or 0) / 1000
             )
-            if not came and blocker.raising:
+            if not is_emitted and blocker.raising:
                 raise self.TimeoutError(f"no signal within {milliseconds} virtual ms")
 
         blocker.wait = wait  # type: ignore[method-assign]  # only for this blocker

@@ -1,8 +1,8 @@
 """Drivers that operate a window by the object names of its widgets.
 
-`WidgetDriver` finds, reads and operates widgets below a root; `WindowDriver` is one for the whole
-program. A page object is a `WidgetDriver` for one page, panel or dialog, with the gestures that
-only this page has. All work in virtual and in real time: the `qtbot` that they get decides.
+`WidgetDriver` finds, reads and operates the widgets below a root. `WindowDriver` does so for the
+whole program. A page object is a `WidgetDriver` for one page, panel or dialog, with methods for its
+special gestures. All drivers work in virtual and in real time, depending on their `qtbot`.
 """
 
 from collections.abc import Callable, Iterator
@@ -41,17 +41,17 @@ from trex_gui.ui.widgets.behaviour import ConfirmButton
 ObjectT = TypeVar("ObjectT", bound=QObject)
 
 TIMEOUT_MS = 30_000
-"""Milliseconds of every wait."""
+"""Default timeout of a wait."""
 
 LEFT = Qt.MouseButton.LeftButton
 
 
 class WidgetDriver:
-    """Part of a window.
+    """Driver of the widgets below a root.
 
     Attributes:
-        root: what contains it.
-        qtbot: lets time pass.
+        root: widget that contains them.
+        qtbot: bot that lets time pass.
     """
 
     def __init__(self, root: QWidget, qtbot: QtBot) -> None:
@@ -61,7 +61,7 @@ class WidgetDriver:
     # --- Find and read ------------------------------------------------------------------
 
     def find(self, kind: type[ObjectT], name: str) -> ObjectT:
-        """Return the widget or action with this object name. Fails without one."""
+        """Return the widget or action with this object name. Fail if there is none."""
         found = self.root.findChild(kind, name)
         assert isinstance(found, kind), f"{self.root.objectName()} has no {name}"
         return found
@@ -123,7 +123,7 @@ class WidgetDriver:
     # --- Operate ------------------------------------------------------------------------
 
     def click(self, name: str) -> None:
-        """Click a button or check box once it is visible. Scrolls if necessary."""
+        """Click a button or check box once it is visible. Scroll to it if necessary."""
         button = self.button(name)
         self.wait(button.isVisible)
         assert button.isEnabled(), f"{name} is disabled"
@@ -147,7 +147,7 @@ class WidgetDriver:
         index = next((i for i in range(combo.count()) if combo.itemData(i) == data), -1)
         assert index >= 0, f"{name} has no {data}"
         combo.setCurrentIndex(index)
-        combo.activated.emit(index)  # offscreen there is no list to open
+        combo.activated.emit(index)  # there is no popup to open offscreen
 
     def type_into(self, name: str, text: str, *, enter: bool = True) -> None:
         """Replace the text of an editor."""
@@ -160,7 +160,7 @@ class WidgetDriver:
             QTest.keyClick(editor, Qt.Key.Key_Return)
 
     def handle_of(self, slider: QSlider, value: int | None = None) -> QPoint:
-        """Return the position of a slider's handle at a value, by default its own."""
+        """Return the position of a slider's handle at a value, by default the current value."""
         option = QStyleOptionSlider()
         slider.initStyleOption(option)
         if value is not None:
@@ -194,31 +194,31 @@ class WindowDriver(WidgetDriver):
         self.motors = trex(program).device.motors
 
     def find(self, kind: type[ObjectT], name: str) -> ObjectT:
-        """Return the widget or action with this object name. Creates its page."""
+        """Return the widget or action with this object name. Create all pages if necessary."""
         if self.root.findChild(kind, name) is None:
             self.program.complete()
         return super().find(kind, name)
 
     def find_all(self, kind: type[ObjectT]) -> list[ObjectT]:
-        """Return all objects of a type. Creates all pages."""
+        """Return all objects of a type. Create all pages."""
         self.program.complete()
         return super().find_all(kind)
 
     @property
     def robot(self) -> Robot:
-        """Model of the Aracna, loaded on first use."""
+        """Model of the Aracna, created on first use."""
         return aracna(self.program).robot
 
     @property
     def help(self) -> QDialog:
-        """Window of the help, which must be open."""
+        """Help window, which must be open."""
         assert self.window.help_dialog is not None
         return self.window.help_dialog
 
     # --- Connect ------------------------------------------------------------------------
 
     def connect(self, url: str) -> None:
-        """Connect to a TReX in normal use. Wait until the board is read."""
+        """Connect to a TReX like a user. Wait until the board is read."""
         self.connect_port(self.program.ports.add_typed(url))
         self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
         self.motors.accept_arming_without_timeout()
@@ -229,7 +229,7 @@ class WindowDriver(WidgetDriver):
         self.click("connectButton")
 
     def connect_to_demo(self, kind: str = "trex") -> None:
-        """Connect to the simulated TReX or Aracna. Wait until it is read."""
+        """Connect to the demo TReX or Aracna. Wait until it is read."""
         self.program.connect_to_demo(kind)
         model = self.device if kind == "trex" else self.robot
         self.wait(lambda: model.link is ConnectionState.CONNECTED)
@@ -239,7 +239,7 @@ class WindowDriver(WidgetDriver):
         self.wait(lambda: self.program.device_manager.current.link is ConnectionState.DISCONNECTED)
 
     def apply(self, **values: int) -> None:
-        """Edit settings, and apply all edits without the review."""
+        """Edit settings, and write all edits without a review."""
         for key, value in values.items():
             self.device.parameters.edit(key, value)
         with self.qtbot.waitSignal(self.device.applied):
@@ -249,17 +249,17 @@ class WindowDriver(WidgetDriver):
         """Drop files onto the window. Return whether it accepts them."""
         data = QMimeData()
         data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
-        how = (Qt.DropAction.CopyAction, data, LEFT, Qt.KeyboardModifier.NoModifier)
-        enter = QDragEnterEvent(QPoint(9, 9), *how)
+        action = (Qt.DropAction.CopyAction, data, LEFT, Qt.KeyboardModifier.NoModifier)
+        enter = QDragEnterEvent(QPoint(9, 9), *action)
         QApplication.sendEvent(self.window, enter)
         if enter.isAccepted():
-            QApplication.sendEvent(self.window, QDropEvent(QPointF(9, 9), *how))
+            QApplication.sendEvent(self.window, QDropEvent(QPointF(9, 9), *action))
         return enter.isAccepted()
 
-    # --- Look around --------------------------------------------------------------------
+    # --- Pages, dialogs, menus ----------------------------------------------------------
 
     def open_page(self, name: str) -> WidgetDriver:
-        """Show the page with this object name. Return the page."""
+        """Show the page with this object name. Return its driver."""
         workspace = self.program.workspace(self.program.device_manager.current.plugin.key)
         entries = entries_of({Menu.WINDOW: workspace.page_entries()})
         keys = [entry.key.removeprefix(f"{workspace.key}_") for entry in entries]
@@ -276,14 +276,14 @@ class WindowDriver(WidgetDriver):
             yield page
 
     def dialog(self, name: str) -> WidgetDriver:
-        """Return the dialog with this object name. Creates the dialog if necessary."""
-        makers: dict[str, Callable[[TrexWorkspace], object]] = {
+        """Return the dialog with this object name. Create it if necessary."""
+        creators: dict[str, Callable[[TrexWorkspace], object]] = {
             "learnDialog": lambda workspace: workspace._tools.learn,
             "powerCycleDialog": lambda workspace: workspace._settings._power,
             "reviewDialog": lambda workspace: workspace._settings._review,
         }
-        if name in makers:
-            makers[name](trex(self.program).workspace)
+        if name in creators:
+            creators[name](trex(self.program).workspace)
         return WidgetDriver(self.find(QDialog, name), self.qtbot)
 
     def action(self, key: str) -> QAction:

@@ -44,7 +44,7 @@ class SleepHarness:
 
     def start_sleep(self) -> None:
         with self.qtbot.waitSignal(self.events.sleeping):
-            self.logind.say_sleep(begins=True)
+            self.logind.announce_sleep(begins=True)
 
 
 @pytest.fixture
@@ -83,7 +83,7 @@ def test_sleep_delay_is_requested_again_after_wake(harness: SleepHarness, qtbot:
     harness.may_move = False
     harness.start_sleep()
     qtbot.waitUntil(lambda: harness.logind.held == 0)
-    harness.logind.say_sleep(begins=False)
+    harness.logind.announce_sleep(begins=False)
     qtbot.waitUntil(lambda: harness.logind.held == 1)
     assert len(harness.logind.requested) == 2
 

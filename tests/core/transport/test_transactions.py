@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
-from tests.support.talk import Said, pieces_of, reports, rows_of
+from tests.support.talk import Exchange, pieces_of, reports, rows_of
 from trex_gui.core.transport.traffic import (
     Decoded,
     TrafficDirection,
@@ -28,7 +28,7 @@ from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 
 CRC = ConnectionSettings("virtual", line=LineSettings(19200, Detection.CRC7))
 
-TREX: list[tuple[Said, str, bool]] = [
+TREX: list[tuple[Exchange, str, bool]] = [
     ((b"\x81", b"TReX1.2"), "get signature → TReX 1.2", False),
     ((b"\x81", b"\x81TReX1.2"), "get signature → TReX 1.2", False),
     ((b"\x82", b"r"), "get mode → serial mode, RC inputs", False),
@@ -73,13 +73,15 @@ TREX: list[tuple[Said, str, bool]] = [
 
 
 @pytest.mark.parametrize(("said", "text", "is_fault"), TREX, ids=lambda value: str(value)[:40])
-def test_trex_exchange_is_decoded(said: Said, text: str, is_fault: bool) -> None:
+def test_trex_exchange_is_decoded(said: Exchange, text: str, is_fault: bool) -> None:
     assert reports(TrexDecoder(), pieces_of([said])) == [(text, is_fault)]
 
 
 @examples(40)
 @given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
-def test_fragmented_bytes_decode_to_same_rows(talk: list[tuple[Said, str, bool]], cut: int) -> None:
+def test_fragmented_bytes_decode_to_same_rows(
+    talk: list[tuple[Exchange, str, bool]], cut: int
+) -> None:
     # Bytes after a complete reply start their own row, at any chunk boundary.
     said = [one[0] for one in talk if one[0][0] and not one[2]]
     whole = reports(TrexDecoder(), pieces_of(said))

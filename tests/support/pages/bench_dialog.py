@@ -1,4 +1,4 @@
-"""Dialog of bench tests."""
+"""Driver of the bench test dialog."""
 
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
@@ -13,7 +13,7 @@ from trex_gui.ui.widgets.behaviour import HoldButton
 
 
 class BenchTestDialog(WidgetDriver):
-    """Dialog, with or without a simulated board."""
+    """Bench test dialog, with or without a simulated board."""
 
     def __init__(
         self,
@@ -42,7 +42,7 @@ class BenchTestDialog(WidgetDriver):
         return item.text()
 
     def hold(self) -> None:
-        """Arm once unlocked. Hold the button until the motor runs."""
+        """Arm the motors as soon as possible. Hold the button until the motor runs."""
         self.wait(lambda: self.is_enabled("benchRunButton"))
         self.click("benchRunButton")
         self.root.activateWindow()
@@ -55,7 +55,7 @@ class BenchTestDialog(WidgetDriver):
         QTest.mouseRelease(self.hold_button, LEFT)
 
     def speed(self) -> int:
-        """Return the speed of the simulated motor 1. 0 while it brakes."""
+        """Return the speed of the simulated motor 1, or 0 while it brakes."""
         assert self._simulator is not None
         motor = self._simulator.show()["motors"][0]
         return 0 if motor["direction"] == "brake" else int(motor["speed"])

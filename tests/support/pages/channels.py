@@ -1,4 +1,4 @@
-"""Page of the channels, which the user calibrates by dragging."""
+"""Drivers of the Channels page and of its calibration plot."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -26,7 +26,7 @@ from trex_gui.ui.theme.theme import theme
 
 
 class CurvePlotDriver(WidgetDriver):
-    """Plot with handles for the mouse."""
+    """Plot of a calibration curve with handles for the mouse."""
 
     def __init__(self, plot: CurvePlot, qtbot: QtBot) -> None:
         super().__init__(plot, qtbot)
@@ -55,8 +55,8 @@ class CurvePlotDriver(WidgetDriver):
     def drag_handle(self, handle: Handle, count: int, *, release: bool = True) -> None:
         """Drag a handle to a count in a few steps."""
         start = self.place(handle)
-        below = 30 if handle is Handle.NEUTRAL else 0
-        end = QPoint(round(self.plot.x_of(count)), start.y() + below)
+        offset = 30 if handle is Handle.NEUTRAL else 0
+        end = QPoint(round(self.plot.x_of(count)), start.y() + offset)
         self.press(start)
         for step in (0.3, 0.7, 1.0):
             self.move(start + (end - start) * step)
@@ -65,12 +65,12 @@ class CurvePlotDriver(WidgetDriver):
 
 
 def input_of(page: WidgetDriver, channel: int) -> str:
-    """Return the text of a channel's strip about its input."""
+    """Return the spoken input of a channel's strip."""
     return spoken_state(page.find(ChannelStrip, f"channel{channel}Strip"))
 
 
 class ChannelsDriver(WidgetDriver):
-    """Page, in the main window or alone."""
+    """Channels page, in the main window or alone."""
 
     def __init__(self, widget: ChannelsPage, device: Device, qtbot: QtBot) -> None:
         super().__init__(widget, qtbot)
@@ -87,7 +87,7 @@ class ChannelsDriver(WidgetDriver):
         self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
 
     def restart(self, simulator: SimulatedDevice, *lines: str) -> None:
-        """Change jumpers or stored settings, and connect to the restarted board."""
+        """Obey control lines, power-cycle the board and connect again."""
         self.disconnect()
         simulator.do(*lines, "power cycle")
         self.connect(simulator.url)
@@ -129,7 +129,7 @@ class ChannelsDriver(WidgetDriver):
         QTest.mouseClick(bar, LEFT, pos=bar.tabRect(index).center())
 
     def drag_handle(self, handle: Handle, count: int, *, release: bool = True) -> None:
-        self.widget.grab()  # lets the layout settle
+        self.widget.grab()  # completes the layout
         CurvePlotDriver(self.plot, self.qtbot).drag_handle(handle, count, release=release)
 
     def release_handle(self) -> None:
@@ -150,7 +150,7 @@ class ChannelsDriver(WidgetDriver):
 
 @contextmanager
 def channels_page(qtbot: QtBot) -> Iterator[ChannelsDriver]:
-    """Show the page without the main window."""
+    """Show the Channels page without the main window."""
     app = QApplication.instance()
     assert isinstance(app, QApplication)
     theme().install(app)

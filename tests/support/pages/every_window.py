@@ -1,4 +1,4 @@
-"""Windows that may cover the main window, opened like a user does."""
+"""Windows that may cover the main window, each opened like a user does."""
 
 from pathlib import Path
 

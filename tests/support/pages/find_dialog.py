@@ -1,4 +1,4 @@
-"""Dialog that finds boards."""
+"""Driver of the dialog that finds boards."""
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QListWidget, QListWidgetItem
@@ -10,7 +10,7 @@ from trex_gui.ui.frame.find_dialog import FindDialog
 
 
 class FindBoardDialog(WidgetDriver):
-    """Dialog, in the main window or alone."""
+    """Find dialog, in the main window or alone."""
 
     def __init__(self, dialog: FindDialog, finder: DeviceScanner, qtbot: QtBot) -> None:
         super().__init__(dialog, qtbot)
@@ -21,11 +21,11 @@ class FindBoardDialog(WidgetDriver):
         return [ports.item(row) for row in range(ports.count())]
 
     def rows(self) -> dict[str, bool]:
-        """Return the text of each listed port, and whether it is checked."""
+        """Return the text of each port → whether it is checked."""
         return {port.text(): port.checkState() is Qt.CheckState.Checked for port in self.ports()}
 
     def search(self, window: WindowDriver, url: str) -> None:
-        """Open the dialog with the button of the window. Scan only this port."""
+        """Open the dialog from the window. Scan only this port."""
         self.root.close()
         window.program.ports.add_typed(url)
         window.click("findButton")

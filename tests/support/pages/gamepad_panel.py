@@ -1,4 +1,4 @@
-"""Gamepad panel on the Motors page, and its set-up."""
+"""Driver of the gamepad panel on the Motors page."""
 
 from typing import Generic, TypeVar
 
@@ -20,7 +20,7 @@ PadsT = TypeVar("PadsT", bound=HeldPads | VirtualPad)
 
 
 class GamepadPanelPage(WidgetDriver, Generic[PadsT]):
-    """Panel, in the main window or alone, and a gamepad."""
+    """Gamepad panel, in the main window or alone, and its gamepad."""
 
     def __init__(self, panel: GamepadPanel, device: Device, pads: PadsT, qtbot: QtBot) -> None:
         super().__init__(panel, qtbot)
@@ -48,7 +48,7 @@ class GamepadPanelPage(WidgetDriver, Generic[PadsT]):
         self.wait_for_text("gamepadState", part)
 
     def drive(self) -> None:
-        """Arm and drive forward at full speed."""
+        """Arm the motors and drive forward at full speed."""
         self.motors.arm()
         self.wait_for_state("Hold")
         assert self.profile.hold is not None

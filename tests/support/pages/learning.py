@@ -1,11 +1,11 @@
-"""Dialog that learns channels and tests sticks, with a simulated transmitter."""
+"""Driver of the dialog that learns channels and tests sticks."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QApplication, QSpinBox
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
@@ -21,15 +21,15 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 
 HOLD_SECONDS = 0.45
-"""Time for which a user holds a stick: enough for an end and for a rest."""
+"""Time for which the user holds a stick, enough to measure its end or its rest."""
 
 
 class LearningDialog(WidgetDriver):
     """Dialog that learns the channels of a simulated board.
 
     Attributes:
-        transmitter: what the sticks put out.
-        stored_before: what the board stored in the beginning.
+        transmitter: simulated sticks.
+        stored_before: settings that the board stored at first.
     """
 
     def __init__(
@@ -47,7 +47,7 @@ class LearningDialog(WidgetDriver):
     # --- Read ---------------------------------------------------------------------------
 
     @property
-    def head(self) -> str:
+    def note(self) -> str:
         return self.text("learnNote")
 
     def problem(self, channel: int) -> str:
@@ -57,17 +57,17 @@ class LearningDialog(WidgetDriver):
         return self.has(name) and self.is_enabled(name)
 
     def stored(self) -> dict[str, Any]:
-        """Return everything that the board stores, and its number of writes."""
-        shown = self.simulator.show()
-        found = {key: shown[key] for key in ("parameters", "calibrations", "learned")}
-        return {**found, "writes": shown["counters"]["eeprom_writes"]}
+        """Return all stored settings of the board, and the number of its writes."""
+        state = self.simulator.show()
+        settings = {key: state[key] for key in ("parameters", "calibrations", "learned")}
+        return {**settings, "writes": state["counters"]["eeprom_writes"]}
 
     def assert_nothing_changed(self) -> None:
         assert self.stored() == self.stored_before
         assert self.device.draft.pending == 0
 
     def assert_learned(self, channel: int) -> None:
-        """Assert ends within 1 % of the travel and 5 deviations, and rest within 1.5 counts."""
+        """Assert ends within 1 % of the travel and 5 deviations, and rest within 1.5 deviations."""
         found = self.device.calibrations.stored(channel)
         assert found is not None
         stick = self.transmitter.sticks[channel]
@@ -77,7 +77,7 @@ class LearningDialog(WidgetDriver):
         assert abs(found.neutral - rest) <= 1.5 * noise, channel
         if rest - low > bound:
             assert 0 < found.minimum - low <= bound, channel
-        else:  # the stick rests at this end, which is as far out as the input can be
+        else:  # the stick rests at this end, so the calibration extends to the input's limit
             assert found.minimum <= stick.source.lowest_count, channel
         if high - rest > bound:
             assert 0 < high - found.maximum <= bound, channel
@@ -94,22 +94,18 @@ class LearningDialog(WidgetDriver):
 
     # --- Wait and click -----------------------------------------------------------------
 
-    def wait_for_head(self, part: str) -> None:
+    def wait_for_note(self, part: str) -> None:
         self.wait_for_text("learnNote", part)
 
     def click(self, name: str) -> None:
         """Click a button once it is enabled."""
 
         def can_click() -> None:
-            assert self.can_click(name), f"{name} cannot be clicked: {self.head}"
+            assert self.can_click(name), f"{name} cannot be clicked: {self.note}"
 
         self.qtbot.waitUntil(can_click, timeout=TIMEOUT_MS)
         QCoreApplication.sendPostedEvents()  # updates the layout after buttons appear or disappear
         super().click(name)
-
-    def set_value(self, field: str, channel: int, count: int) -> None:
-        """Change a value in the review."""
-        self.find(QSpinBox, f"learn{field}Edit{channel}").setValue(count)
 
     def scale_font(self, factor: float) -> None:
         font = self.dialog.font()
@@ -131,23 +127,23 @@ class LearningDialog(WidgetDriver):
         self.wait(lambda: float(inputs.times[-1]) > end)
 
     def push(self, *positions: float) -> None:
-        """Hold every stick at one position after the other, then release it."""
+        """Hold all sticks at each position in turn, then release them."""
         for position in positions:
             for channel in self.transmitter.sticks:
                 self.transmitter.put(channel, position)
             self.hold()
-        self.transmitter.let_go()
+        self.transmitter.release()
         self.hold()
 
     # --- Go from step to step -----------------------------------------------------------
 
     def start_learning(self, *channels: int) -> None:
         self.flow.learn(channels)
-        self.wait_for_head("Release every stick")
+        self.wait_for_note("Release every stick")
 
     def sample_rest(self) -> None:
         self.click("learnNextButton")
-        self.wait_for_head("forward or right first")
+        self.wait_for_note("forward or right first")
 
     def finish_travel(self) -> None:
         self.click("learnNextButton")
@@ -164,10 +160,10 @@ class LearningDialog(WidgetDriver):
 
     def start_test(self, *channels: int) -> None:
         self.flow.test(channels)
-        self.wait_for_head("Push every stick")
+        self.wait_for_note("Push every stick")
 
     def apply(self) -> None:
-        """Write the values without the review."""
+        """Write the values without a review."""
         self.device.writer.apply()
         self.wait(lambda: self.device.draft.pending == 0 and not self.device.writer.running)
 

@@ -1,4 +1,4 @@
-"""Motors page, and the motors of a simulated board."""
+"""Driver of the Motors page, and checks of simulated motors."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -19,7 +19,7 @@ FULL = ("forward", 127)
 def is_stopped(simulator: SimulatedDevice, board: str = "") -> bool:
     """Return whether both motors brake fully and the auxiliary motor is off.
 
-    `board` names one of several on the line, as in `@9`.
+    `board`: one of several on the line, such as `@9`.
     """
     shown = simulator.show(board)
     braked = {"direction": "brake", "speed": 127, "target_direction": "brake", "target_speed": 127}
@@ -29,14 +29,14 @@ def is_stopped(simulator: SimulatedDevice, board: str = "") -> bool:
 
 
 Gesture = Callable[[], object]
-"""Actions of the mouse or keyboard."""
+"""Action with the mouse or keyboard."""
 
 
 class MotorsPage(WindowDriver):
     """Window on its Motors page, connected to a simulated board.
 
     Attributes:
-        simulator: the board.
+        simulator: simulated board.
     """
 
     def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
@@ -62,7 +62,7 @@ class MotorsPage(WindowDriver):
     # --- Arm and stop -------------------------------------------------------------------
 
     def arm(self) -> None:
-        """Click Arm motors once it is enabled, without changing the board."""
+        """Click *Arm motors* once it is enabled. Arm without a serial timeout."""
         self.motors.accept_arming_without_timeout()
         self.wait(self.button("runButton").isEnabled)
         self.click("runButton")
@@ -72,19 +72,19 @@ class MotorsPage(WindowDriver):
         return self.motors.armed
 
     def press_escape(self) -> None:
-        """Press Esc in the focused widget, like the system."""
+        """Press Esc in the focused window."""
         window = QApplication.focusWindow()
         assert window is not None
         QTest.keyClick(window, Qt.Key.Key_Escape)
 
-    # --- What the board does ------------------------------------------------------------
+    # --- Board --------------------------------------------------------------------------
 
     def target(self, motor: int) -> tuple[str, int]:
-        """Return the last direction and speed that the board accepted for a motor."""
+        """Return the last accepted direction and speed of a motor."""
         return self.targets()[motor - 1]
 
     def targets(self) -> list[tuple[str, int]]:
-        """Return the last direction and speed of both motors at one time."""
+        """Return the last accepted direction and speed of both motors."""
         motors = self.simulator.show()["motors"]
         return [(motor["target_direction"], motor["target_speed"]) for motor in motors]
 
@@ -99,16 +99,16 @@ class MotorsPage(WindowDriver):
         """Wait until the board accepts these setpoints. `None`: any setpoint."""
 
         def check() -> None:
-            for motor, (target, wanted) in enumerate(
+            for motor, (target, expected) in enumerate(
                 zip(self.targets(), (first, second), strict=True), 1
             ):
-                said = f"motor{motor}Setpoint", "motorsReason"
-                assert wanted in (None, target), (case, *map(self.text, said))
+                labels = f"motor{motor}Setpoint", "motorsReason"
+                assert expected in (None, target), (case, *map(self.text, labels))
 
         self.qtbot.waitUntil(check, timeout=20_000)
 
     def wait_for_brake(self, case: object = "") -> None:
-        """Wait until both motors have to brake fully."""
+        """Wait until the board accepts full braking of both motors."""
         self.wait_for_targets(BRAKE, BRAKE, case)
 
     # --- Pad ----------------------------------------------------------------------------
@@ -118,7 +118,7 @@ class MotorsPage(WindowDriver):
         return self.find(QWidget, "drivePad")
 
     def place_in_pad(self, forward: float, turn: float) -> QPoint:
-        """Return the position on the pad. Its ends are beyond the reach of the knob."""
+        """Return a position on the pad. At ±1 it is farther out than the knob can go."""
         middle, reach = self.pad.rect().center(), min(self.pad.width(), self.pad.height()) / 2
         return middle + QPoint(round(turn * reach), round(-forward * reach))
 
@@ -166,7 +166,7 @@ class MotorsPage(WindowDriver):
 
     @contextmanager
     def another_window(self) -> Iterator[None]:
-        """Show another window in front, and finally this window."""
+        """Show another window in front. Return to this window at the end."""
         other = QLineEdit()
         self.qtbot.addWidget(other)
         other.show()

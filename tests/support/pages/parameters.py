@@ -1,4 +1,4 @@
-"""Page of the parameters."""
+"""Driver of the Parameters page."""
 
 from PySide6.QtCore import QModelIndex, Qt
 from PySide6.QtTest import QTest
@@ -10,7 +10,7 @@ from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 
 class ParametersPage(WidgetDriver):
-    """Page of the parameters. The constructor opens the page."""
+    """Parameters page. The constructor opens it."""
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.open_page("parametersPage").root, window.qtbot)
@@ -23,7 +23,7 @@ class ParametersPage(WidgetDriver):
         return model.index_of(key)
 
     def edit(self, key: str, text: str) -> None:
-        """Open the editor of a parameter with the mouse. Type a valid value."""
+        """Open the editor of a parameter with the mouse. Enter a valid value."""
         index = self.index_of(key)
         self.view.scrollTo(index)
         place = self.view.visualRect(index).center()

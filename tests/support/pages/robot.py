@@ -1,4 +1,4 @@
-"""Window with an Aracna: pages, playback, and the simulated robot."""
+"""Driver of the window with an Aracna, and its simulated robot."""
 
 import json
 from collections.abc import Callable
@@ -22,9 +22,9 @@ class RobotWindow(WindowDriver):
     """Driver of the whole program with an Aracna.
 
     Attributes:
-        simulator: the process of the simulated robot.
-        goals: the goals of every motion that was sent, in order.
-        speeds: the speeds that the robot has confirmed, in order.
+        simulator: process of the simulated robot.
+        goals: goals of the sent motions, in order.
+        speeds: speeds that the robot has confirmed, in order.
     """
 
     def __init__(self, program: Program, qtbot: QtBot) -> None:
@@ -77,20 +77,20 @@ class RobotWindow(WindowDriver):
         self.wait(self.is_idle)
 
     def wait_for_silence(self, cause: Callable[[], object]) -> None:
-        """Do something. Wait until the robot does not respond, briefly after a reset."""
-        before = self._silences
+        """Call `cause`. Wait until the robot stops responding, as it does during a reset."""
+        previous = self._silences
         cause()
-        self.wait(lambda: self._silences > before)
+        self.wait(lambda: self._silences > previous)
 
     # --- The simulated robot ------------------------------------------------------------
 
     def control(self, line: str) -> str:
         """Send a control line to the simulator. Return the reply."""
-        answers: list[str] = []
-        self.simulator.send(line, answers.append)
-        self.wait(lambda: answers)
-        assert answers[0].startswith("ok"), answers
-        return answers[0].removeprefix("ok").strip()
+        replies: list[str] = []
+        self.simulator.send(line, replies.append)
+        self.wait(lambda: replies)
+        assert replies[0].startswith("ok"), replies
+        return replies[0].removeprefix("ok").strip()
 
     def simulated(self) -> dict[str, Any]:
         """Return the state of the simulated robot."""
@@ -103,7 +103,7 @@ class RobotWindow(WindowDriver):
     # --- Move ---------------------------------------------------------------------------
 
     def wait_for_motion(self, before: int) -> None:
-        """Wait until more than `before` motions were sent, and the last is over."""
+        """Wait until more than `before` motions were sent and the last motion is over."""
         self.wait(lambda: len(self.goals) > before and self.robot.state.moving is None)
 
     def move(self) -> None:
@@ -113,7 +113,7 @@ class RobotWindow(WindowDriver):
         self.wait(lambda: self.robot.state.moved not in (None, before))
 
     def block_and_lose_motor(self, motor: int) -> None:
-        """Make a moving motor fail. A motor that failed before does not accept its speed."""
+        """Block a motor, then make it fail while it moves."""
         self.control(f"servo {motor} block")
         slider = self.find(QSlider, f"aracnaSlider{motor}")
         self.drag(slider.objectName(), slider.value() - 32)
@@ -124,7 +124,7 @@ class RobotWindow(WindowDriver):
         self.wait(lambda: self.robot.state.stuck is not None)
 
     def page_text(self, page: str, name: str) -> str:
-        """Return the text of a label that exists on several pages."""
+        """Return the text of a label on a page. Other pages may have a label of this name."""
         label = self.find(QWidget, page).findChild(QLabel, name)
         assert label is not None
         return label.text()
@@ -170,7 +170,7 @@ class RobotWindow(WindowDriver):
         QTest.mouseRelease(slider, LEFT, pos=self.handle_of(slider))
 
     def type_unconfirmed(self, name: str, text: str) -> None:
-        """Type into a box without leaving it."""
+        """Type into a number box without leaving it."""
         self.wait(lambda: self.has(name))
         self.window.activateWindow()
         editor = self.find(QWidget, name)

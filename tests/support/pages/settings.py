@@ -1,4 +1,4 @@
-"""Settings in dialogs and windows: review, power cycle, files, history."""
+"""Drivers for settings: review, power cycle, files, history."""
 
 from pathlib import Path
 
@@ -23,13 +23,13 @@ from trex_gui.ui.widgets.messages import InlinePrompt
 
 
 def findings_of(shown: WidgetDriver, where: str) -> list[str]:
-    """Return the texts of the findings in a page or dialog."""
+    """Return the texts of the visible findings in a page or dialog."""
     labels = [each for each in shown.find_all(QLabel) if each.isVisible()]
     return [each.text() for each in labels if each.objectName().startswith(f"{where}Finding")]
 
 
 class ComparisonDialog(WidgetDriver):
-    """Dialog with a table of settings and two values of each setting."""
+    """Dialog that compares two values of each setting in a table."""
 
     @property
     def table(self) -> QTableView:
@@ -44,17 +44,17 @@ class ComparisonDialog(WidgetDriver):
         ]
 
     def values(self) -> dict[str, tuple[str, str]]:
-        """Return both values of each setting by its key."""
+        """Return the key of each setting → both values."""
         model = self.table.model()
         keys = [
             model.index(row, 0).data(Qt.ItemDataRole.UserRole) for row in range(model.rowCount())
         ]
         return {key: (row[1], row[2]) for key, row in zip(keys, self.rows(), strict=True)}
 
-    def tick_all(self, wanted: bool) -> None:
+    def tick_all(self, checked: bool) -> None:
         """Check or clear every box."""
         view = self.find_only(ComparisonView)
-        view.table.tick_all(wanted)
+        view.table.tick_all(checked)
 
     def toggle(self, setting: str) -> None:
         """Check or clear the box of a setting with the keyboard."""
@@ -72,7 +72,7 @@ class ReviewDialog(ComparisonDialog):
 
     @property
     def head(self) -> str:
-        """Text about the write, the board and obstacles."""
+        """Texts about the write, the board and problems."""
         return " ".join(map(self.text, ("reviewHead", "reviewCaption", "reviewTrouble")))
 
     def open(self) -> None:
@@ -92,7 +92,7 @@ class ReviewDialog(ComparisonDialog):
 
 
 class SimulatedPower:
-    """Power switch of a simulated board, and the reaction of the program."""
+    """Power switch of a simulated board. Each method waits until the program reacts."""
 
     def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
         self._window = window
@@ -122,14 +122,14 @@ class LoadDialog(ComparisonDialog):
 
 
 class SettingsFiles:
-    """Settings files opened by the window."""
+    """Settings files of the window."""
 
     def __init__(self, window: WindowDriver) -> None:
         self._window = window
         self.files = trex(window.program).workspace.files
 
     def load(self, path: Path, data: str | bytes | None = None) -> LoadDialog:
-        """Open a file, after writing `data` into it if given. Return the dialog."""
+        """Open a file, if necessary after writing `data` to it. Return the dialog."""
         if data is not None:
             path.write_bytes(data if isinstance(data, bytes) else data.encode())
         self.files.open_file(path)
@@ -178,7 +178,7 @@ class SettingsEditorWindow(WidgetDriver):
 
 
 class HistoryDialog(ComparisonDialog):
-    """Dialog of snapshots, and the window whose menu opens it."""
+    """Dialog of snapshots, opened from the menu of a window."""
 
     def __init__(self, window: WidgetDriver) -> None:
         self.widget = window.find(HistoryWidget, "historyDialog")
@@ -217,7 +217,7 @@ class HistoryDialog(ComparisonDialog):
         return row.row()
 
     def select_snapshot(self, *rows: int) -> None:
-        """Select one snapshot or several."""
+        """Select snapshots."""
         view = self.snapshots
         view.clearSelection()
         flags = QItemSelectionModel.SelectionFlag
@@ -240,7 +240,7 @@ class HistoryDialog(ComparisonDialog):
 def answer_questions(
     monkeypatch: pytest.MonkeyPatch, button: QMessageBox.StandardButton
 ) -> list[str]:
-    """Press this button in every question. Return the questions."""
+    """Press this button in every question dialog. Return the list of questions."""
     questions: list[str] = []
 
     def question(_window: QWidget, _title: str, text: str, *_: object) -> object:

@@ -147,6 +147,6 @@ def test_each_loss_sends_its_control_line(qtbot: QtBot) -> None:
         answers: list[str] = []
         simulator.send("show", answers.append)
         qtbot.waitUntil(lambda: bool(answers), timeout=15_000)
-    assert simulator.orders() == [f"line {loss}" for loss in losses]
+    assert simulator.changes() == [f"line {loss}" for loss in losses]
     robot.watch(False)
     simulator.stop()

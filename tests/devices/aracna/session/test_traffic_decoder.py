@@ -3,11 +3,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
-from tests.support.talk import Said, pieces_of, reports
+from tests.support.talk import Exchange, pieces_of, reports
 from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 
-ARACNA: list[tuple[Said, str, bool]] = [
+ARACNA: list[tuple[Exchange, str, bool]] = [
     ((b".q\n", b".q1,8\r\n"), "query version and motors → firmware 1, 8 motors", False),
     ((b".q\n", b".q1\n"), "query version and motors → firmware 1", False),
     ((b".q\n", b""), "query version and motors → no reply", True),
@@ -38,14 +38,14 @@ ARACNA: list[tuple[Said, str, bool]] = [
 
 
 @pytest.mark.parametrize(("said", "text", "is_fault"), ARACNA, ids=lambda value: str(value)[:40])
-def test_exchange_is_decoded_as_text(said: Said, text: str, is_fault: bool) -> None:
+def test_exchange_is_decoded_as_text(said: Exchange, text: str, is_fault: bool) -> None:
     assert reports(AracnaDecoder(), pieces_of([said])) == [(text, is_fault)]
 
 
 @examples(40)
 @given(st.lists(st.sampled_from(ARACNA), max_size=8), st.integers(1, 5))
 def test_chunk_size_does_not_change_decoded_rows(
-    talk: list[tuple[Said, str, bool]], cut: int
+    talk: list[tuple[Exchange, str, bool]], cut: int
 ) -> None:
     said = [one[0] for one in talk if one[0][0]]
     whole = reports(AracnaDecoder(), pieces_of(said))

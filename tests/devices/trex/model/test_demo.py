@@ -152,7 +152,7 @@ def test_each_control_sends_its_control_line(board: RecordingDemoBoard, qtbot: Q
             operate(board)
             board.simulator.send("show", replies.append)
             board.wait(lambda: bool(replies))  # noqa: B023
-        assert board.simulator.orders() == [line]
+        assert board.simulator.changes() == [line]
 
 
 def test_power_cycle_is_displayed_and_runs_once(board: RecordingDemoBoard) -> None:
@@ -162,7 +162,7 @@ def test_power_cycle_is_displayed_and_runs_once(board: RecordingDemoBoard) -> No
     board.power_cycle()
     board.power_cycle()  # the first is not complete yet
     board.wait(lambda: "power on" in board.simulator.lines and snapshot_of(board).power)
-    assert board.simulator.orders() == ["power off", "power on"]
+    assert board.simulator.changes() == ["power off", "power on"]
     assert False in powers
 
 
@@ -171,7 +171,7 @@ def test_only_first_and_last_stick_position_are_sent(board: RecordingDemoBoard) 
     for microseconds in range(1000, 2001):
         board.hold_stick(1, microseconds)
     board.wait(lambda: snapshot_of(board).channels[0].raw == InputSource.RC.counts(2000))
-    assert board.simulator.orders() == ["channel 1 1000us", "channel 1 2000us"]
+    assert board.simulator.changes() == ["channel 1 1000us", "channel 1 2000us"]
     assert board.automatic == {2, 3, 4, 5}
 
 
@@ -209,7 +209,7 @@ def test_restored_signal_returns_to_the_stick_position(board: RecordingDemoBoard
 def test_automatic_sticks_can_be_stopped_and_restarted(board: RecordingDemoBoard) -> None:
     board.set_automatic(False)
     assert board.automatic == frozenset()
-    assert len(board.simulator.orders()) == 5
+    assert len(board.simulator.changes()) == 5
     board.set_automatic(True)
     assert board.automatic == frozenset(CHANNELS)
     first = snapshot_of(board).channels[0].raw

@@ -66,7 +66,7 @@ def test_ends_are_marked_when_they_are_reached(learning: LearningDialog) -> None
     learning.push(-1)
     learning.wait(lambda: low.toolTip() == "low end: reached")
     learning.click("learnBackButton")
-    learning.wait_for_head("Release every stick")
+    learning.wait_for_note("Release every stick")
 
 
 def test_button_texts_follow_the_step(learning: LearningDialog) -> None:
@@ -77,17 +77,17 @@ def test_button_texts_follow_the_step(learning: LearningDialog) -> None:
     assert not any(bar.isVisible() for bar in learning.find_all(QProgressBar))
 
     learning.click("learnNextButton")
-    learning.wait_for_head("Not every channel is at rest")
+    learning.wait_for_note("Not every channel is at rest")
     assert again.text() == "Sample &again"
     learning.sample_rest()
     assert again.text() == "Start this step &again"
     learning.push(1, -1)
     learning.finish_travel()
     assert again.text() == "&Start over"
-    assert "Nothing is written yet" in learning.head
+    assert "Nothing is written yet" in learning.note
     learning.find(QCheckBox, "learnInclude1").click()
-    learning.wait_for_head("No channel is selected")
-    assert not next_button.isEnabled()
+    learning.wait_for_note("No channel is selected")
+    assert not take.isEnabled()
 
 
 # --- The review -------------------------------------------------------------------------
@@ -151,7 +151,7 @@ def test_review_shows_the_curve_before_and_after(learning: LearningDialog) -> No
 
     maximum.setValue(3000)  # rejected by the board
     learning.wait(lambda: plot.curve is None)
-    learning.wait_for_head("would reject the values of channel 2")
+    learning.wait_for_note("would reject the values of channel 2")
     learning.assert_nothing_changed()
 
 
@@ -199,10 +199,10 @@ def test_unplugging_ends_learning_and_test_and_changes_nothing(learning: Learnin
     ):
         step(1)
         learning.simulator.do("line unplug")
-        learning.wait_for_head(f"The connection was closed. {outcome}")
+        learning.wait_for_note(f"The connection was closed. {outcome}")
         assert not learning.can_click("learnNextButton"), step
         learning.click("learnAgainButton")
-        learning.wait_for_head("Connect to a board first")
+        learning.wait_for_note("Connect to a board first")
         learning.click("learnCloseButton")
         assert not learning.dialog.isVisible()
         learning.assert_nothing_changed()

@@ -86,7 +86,7 @@ class LearningSetup:
             for channel in self.transmitter.sticks:
                 self.transmitter.put(channel, position)
             self.hold()
-        self.transmitter.let_go()
+        self.transmitter.release()
         self.hold()
 
     def go_to_review(self, *channels: int) -> None:
