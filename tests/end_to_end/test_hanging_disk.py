@@ -1,4 +1,4 @@
-"""Blocked writing delays no exit, and a killed program leaves no partial file."""
+"""A blocked write does not delay the exit, and a killed program leaves no partial file."""
 
 import os
 import random
@@ -25,20 +25,19 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QTimer
 from trex_gui import app, composition
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.model.telemetry import Series
-from trex_gui.devices.trex.model.telemetry import board_traces
+from tests.support.program import trex
+from trex_gui.devices.trex.model.telemetry import Series, board_traces
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 
-build, kept, path = composition.build, [], Path(sys.argv[2])
+build, panels, path = composition.build, [], Path(sys.argv[2])
 os.fsync = lambda handle: threading.Event().wait()  # a disk that does not respond
 
 def table(program):
     from trex_gui.ui.plotting.panel import TracePanel
     history, times = SampleHistory(len(Series)), np.arange(1000) / 80
     history.extend(times, [times] * len(Series))
-    kept.append(panel := TracePanel())
+    panels.append(panel := TracePanel())
     panel.set_source(Traces(board_traces(), history))
     panel.export.save_table(path, -np.inf, np.inf)
 
@@ -49,7 +48,7 @@ def transcript(program):
     write = partial(traffic.write, rows=traffic.everything.rows)
     write_in_background(program.window, path, write, device.notifier, str)
 
-def built(*_):
+def build_and_write(*_):
     program = build()
     def run():
         globals()[sys.argv[1]](program)
@@ -57,17 +56,17 @@ def built(*_):
     QTimer.singleShot(300, run)
     return program
 
-composition.build = built
+composition.build = build_and_write
 code = app.main([])
-sys.stdout.write("whole")
+sys.stdout.write("returned")
 sys.exit(code)
 """
 
 
-@pytest.mark.parametrize("what", sampled(["table", "transcript"], every=2))
-def test_program_exits_while_a_file_write_blocks(what: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("content", sampled(["table", "transcript"], every=2))
+def test_program_exits_while_a_file_write_blocks(content: str, tmp_path: Path) -> None:
     result = subprocess.run(
-        [sys.executable, "-c", _SCRIPT, what, str(tmp_path / "a.txt")],
+        [sys.executable, "-c", _SCRIPT, content, str(tmp_path / "a.txt")],
         cwd=ROOT,
         env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path), "TREX_STUDIO_DATA": str(tmp_path)},
         capture_output=True,
@@ -76,7 +75,7 @@ def test_program_exits_while_a_file_write_blocks(what: str, tmp_path: Path) -> N
         check=False,
     )
     assert result.returncode == 0, result.stderr
-    assert result.stdout == "", "the interpreter would destroy a thread that runs"
+    assert result.stdout == "", "a returning interpreter would destroy a running thread"
     assert "Destroyed while" not in result.stderr
 
 
@@ -91,7 +90,7 @@ def saver() -> Iterator[Saver]:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the program that saves forks")
 @pytest.mark.parametrize("kind", KINDS)
-def test_killed_save_leaves_the_old_file_or_the_new_one(
+def test_killed_save_leaves_the_old_or_the_new_file(
     saver: Saver, kind: str, tmp_path: Path
 ) -> None:
     assert attack(saver, kind, tmp_path, KILLS, random.Random(kind)) == []
