@@ -1,4 +1,4 @@
-"""Every window fits a small screen and is usable by keyboard alone."""
+"""Every window fits a small screen and works without a mouse."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -72,8 +72,8 @@ def check_window(window: QWidget, screen: QRect, stop: QAbstractButton | None) -
     assert not list(cut_texts(window))
     case = f"{window.objectName()}: {window.frameGeometry()}"
     assert screen.contains(window.frameGeometry()), case
-    least, room = window.minimumSizeHint(), screen.size() - FRAME
-    assert least == least.boundedTo(room), f"{window.objectName()} needs {least}"
+    least, available = window.minimumSizeHint(), screen.size() - FRAME
+    assert least == least.boundedTo(available), f"{window.objectName()} needs {least}"
     if stop is not None:
         assert stop.isVisible(), case
         place = QRect(stop.mapTo(window, QPoint()), stop.size())
@@ -81,7 +81,7 @@ def check_window(window: QWidget, screen: QRect, stop: QAbstractButton | None) -
 
 
 def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> None:
-    """Check the main window with each page, with and without the simulator panel."""
+    """Check the main window at each page, beside the simulator panel."""
     dock = window.find(QDockWidget, panel)
     for page in window.each_page():
         runtime().sleep(0.3)
@@ -93,19 +93,21 @@ def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> N
             assert content is not None
             needed = content.minimumSizeHint().width()
             assert box.viewport().width() >= needed, (content.objectName(), needed)
-    handled = [
+    controls = [
         each
         for each in dock.findChildren(QWidget)
         if isinstance(each, QAbstractButton | QAbstractSlider | QComboBox)
         and each.objectName().startswith(panel.removesuffix("Panel"))
     ]
     assert (
-        len({accessible_text(each, QAccessible.Text.Name) for each in handled}) == len(handled) > 20
+        len({accessible_text(each, QAccessible.Text.Name) for each in controls})
+        == len(controls)
+        > 20
     )
-    assert all(each.toolTip() for each in handled)
+    assert all(each.toolTip() for each in controls)
 
 
-def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path) -> None:
+def test_trex_windows_fit_the_screen(screen: QRect, window: WindowDriver, tmp_path: Path) -> None:
     tabs = window.window.pages
     for index in range(tabs.count()):
         tabs.setCurrentIndex(index)
@@ -144,7 +146,7 @@ def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path
 
 
 def check_other_dialogs(window: WindowDriver, screen: QRect) -> None:
-    """Check all dialogs that exist."""
+    """Check all created dialogs."""
     GamepadDialog(window.find(GamepadPanel, "gamepadPanel").gamepad, window.window)
     LineSettingsDialog(trex(window.program).controller.settings, window.window)
     window.trigger("new")
@@ -156,7 +158,7 @@ def check_other_dialogs(window: WindowDriver, screen: QRect) -> None:
         dialog.close()
 
 
-def test_windows_of_aracna_fit(screen: QRect, window: WindowDriver) -> None:
+def test_aracna_windows_fit_the_screen(screen: QRect, window: WindowDriver) -> None:
     window.program.device_manager.switch_to("aracna", lambda: None)
     window.wait_for_files()
     check_window(window.window, screen, window.button("aracnaStopButton"))
@@ -174,10 +176,10 @@ HIGH = (960, 800)
 
 
 class PromptingWindow(WindowDriver):
-    """Window with a prompt and a stop button.
+    """Window that prompts the user before an action.
 
     Attributes:
-        may_store: False blocks the third setting of a write on the board's line.
+        may_store: whether writing may continue with the third setting.
     """
 
     def __init__(self, window: WindowDriver, simulator: VirtualSimulator) -> None:
@@ -190,20 +192,11 @@ class PromptingWindow(WindowDriver):
     def question(self) -> InlinePrompt:
         return self.find(InlinePrompt, "question")
 
-    def is_shown(self) -> bool:
-        return self.window.isVisible()
-
-    def has_question(self) -> bool:
-        return self.question.isVisible()
-
-    def link(self) -> ConnectionState:
-        return self.device.link
-
     def edit(self) -> None:
         self.device.parameters.edit("serial_timeout", 15)
 
-    def check_that_stop_is_in_sight(self, case: str) -> None:
-        """Check that the stop button is visible in a window of height `LOW`."""
+    def check_that_stop_is_visible(self, case: str) -> None:
+        """Check that the stop button is visible in a window of size `LOW`."""
         self.window.resize(*LOW)
         assert self.window.minimumSizeHint().height() <= 480, case
         assert self.window.height() == LOW[1], case
@@ -217,17 +210,17 @@ class PromptingWindow(WindowDriver):
             self.click("stopButton")
 
     def start_writing(self) -> int:
-        """Start to write a dozen settings. Writing ends after `may_store` is set."""
+        """Start writing a dozen settings. Writing continues when `may_store` is set."""
         self.may_store = False
-        seen: set[bytes] = set()
+        requests: set[bytes] = set()
 
-        def wait_before_the_third(data: bytes) -> None:
+        def wait_before_third_setting(data: bytes) -> None:
             if data[0] == SetParameter(0, 0).opcode:
-                seen.add(data)  # a request that is repeated after a late reply counts once
-            while len(seen) == 3 and not self.may_store:
+                requests.add(data)  # counts a retry once
+            while len(requests) == 3 and not self.may_store:
                 runtime().sleep(0.01)
 
-        self.simulator.on_write = wait_before_the_third
+        self.simulator.on_write = wait_before_third_setting
         stored = self.device.parameters.values.all_stored
         for key in [key for key in stored if key.startswith("motor")][:12]:
             self.device.parameters.edit(key, 1 - min(1, stored[key]))
@@ -238,47 +231,47 @@ class PromptingWindow(WindowDriver):
 
 
 @pytest.fixture
-def asking(
+def prompting(
     connected_window: WindowDriver, quick_simulator: VirtualSimulator
 ) -> Iterator[PromptingWindow]:
-    asking = PromptingWindow(connected_window, quick_simulator)
-    yield asking
-    asking.may_store = True
+    prompting = PromptingWindow(connected_window, quick_simulator)
+    yield prompting
+    prompting.may_store = True
 
 
 # --- Low screens ------------------------------------------------------------------------
 
 
-def test_stop_button_is_visible_on_low_screen(asking: PromptingWindow) -> None:
-    asking.edit()
-    for page in asking.each_page():
-        asking.window.resize(*HIGH)
-        asking.check_that_stop_is_in_sight(page.objectName())
+def test_stop_button_is_visible_on_low_screen(prompting: PromptingWindow) -> None:
+    prompting.edit()
+    for page in prompting.each_page():
+        prompting.window.resize(*HIGH)
+        prompting.check_that_stop_is_visible(page.objectName())
 
-    asking.device.notifier.error.emit(
+    prompting.device.notifier.error.emit(
         "Something went wrong, and it takes a while to say what. " * 6
     )
-    asking.trigger("reload")
-    asking.check_that_stop_is_in_sight("message and question")
+    prompting.trigger("reload")
+    prompting.check_that_stop_is_visible("message and question")
 
 
-def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: PromptingWindow) -> None:
-    asking.window.resize(*LOW)
-    asking.trigger("trex_parameters")
-    assert asking.find(QWidget, "parametersView").height() > 100
-    area = asking.find(QScrollArea, "parametersPageArea")
+def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(prompting: PromptingWindow) -> None:
+    prompting.window.resize(*LOW)
+    prompting.trigger("trex_parameters")
+    assert prompting.find(QWidget, "parametersView").height() > 100
+    area = prompting.find(QScrollArea, "parametersPageArea")
     assert area.verticalScrollBar().maximum() == 0
 
-    asking.trigger("trex_motors")
-    bar = asking.find(QScrollArea, "motorsPageArea").verticalScrollBar()
+    prompting.trigger("trex_motors")
+    bar = prompting.find(QScrollArea, "motorsPageArea").verticalScrollBar()
     assert bar.maximum() > 0
-    asking.window.resize(*HIGH)
+    prompting.window.resize(*HIGH)
     assert bar.maximum() == 0
 
-    asking.window.resize(*LOW)
-    asking.click("runButton")
-    slider = asking.find(QSlider, "motor1Slider")
-    asking.wait(slider.isEnabled)
+    prompting.window.resize(*LOW)
+    prompting.click("runButton")
+    slider = prompting.find(QSlider, "motor1Slider")
+    prompting.wait(slider.isEnabled)
     slider.setFocus()
     turn = turn_wheel(slider)
     assert slider.value() == 0
@@ -288,102 +281,99 @@ def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: PromptingW
 # --- Reload and close -------------------------------------------------------------------
 
 
-def test_reload_and_close_with_edits_show_a_prompt(asking: PromptingWindow) -> None:
-    asking.edit()
-    asking.trigger("reload")
-    assert "discard the edits" in asking.question.text
-    assert not asking.question.isWindow()
-    asking.check_that_stop_works()
-    asking.click("questionCancel")
-    assert not asking.has_question()
-    assert asking.device.draft.pending == 1
-    asking.trigger("reload")
-    asking.click("reloadYes")
-    assert asking.device.draft.pending == 0
+def test_reload_and_close_with_edits_show_a_prompt(prompting: PromptingWindow) -> None:
+    prompting.edit()
+    prompting.trigger("reload")
+    assert "discard the edits" in prompting.question.text
+    assert not prompting.question.isWindow()
+    prompting.check_that_stop_works()
+    prompting.click("questionCancel")
+    assert not prompting.question.isVisible()
+    assert prompting.device.draft.pending == 1
+    prompting.trigger("reload")
+    prompting.click("reloadYes")
+    assert prompting.device.draft.pending == 0
 
-    asking.edit()
-    asking.trigger("reload")
-    asking.trigger("discard")
-    assert not asking.has_question(), "it goes with the edits"
+    prompting.edit()
+    prompting.trigger("reload")
+    prompting.trigger("discard")
+    assert not prompting.question.isVisible(), "the prompt disappears with the edits"
 
-    asking.edit()
-    assert not asking.window.close()
-    assert "unapplied changes" in asking.question.text
-    asking.check_that_stop_works()
-    asking.click("questionCancel")
-    assert asking.is_shown()
-    assert asking.link() is ConnectionState.CONNECTED
-    assert not asking.window.close()
-    asking.click("closeYes")
-    assert not asking.is_shown()
+    prompting.edit()
+    assert not prompting.window.close()
+    assert "unapplied changes" in prompting.question.text
+    prompting.check_that_stop_works()
+    prompting.click("questionCancel")
+    assert prompting.window.isVisible()
+    assert prompting.device.link is ConnectionState.CONNECTED
 
 
 def test_closing_with_edits_offers_to_save_them(
-    asking: PromptingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    prompting: PromptingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asking.edit()
-    path = tmp_path / "kept.txt"
-    for chosen in ("", str(tmp_path / "no such folder" / "kept.txt"), str(path)):
-        asking.window.close()
-        assert asking.is_shown(), chosen
-        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, name=chosen: (name, ""))
-        asking.click("saveAndClose")
-        asking.wait_for_files()
-        assert asking.is_shown() == (chosen != str(path)), chosen
+    prompting.edit()
+    path = tmp_path / "saved.txt"
+    for name in ("", str(tmp_path / "no such folder" / "saved.txt"), str(path)):
+        prompting.window.close()
+        assert prompting.window.isVisible(), name
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, chosen=name: (chosen, ""))
+        prompting.click("saveAndClose")
+        prompting.wait_for_files()
+        assert prompting.window.isVisible() == (name != str(path)), name
     assert "1.5 s" in path.read_text(encoding="utf-8")
 
 
 # --- While settings are being written ---------------------------------------------------
 
 
-def disconnect_in_find_dialog(asking: PromptingWindow) -> None:
-    asking.trigger("find")
-    asking.dialog("findDialog").click("findDisconnectButton")
+def disconnect_in_find_dialog(prompting: PromptingWindow) -> None:
+    prompting.trigger("find")
+    prompting.dialog("findDialog").click("findDisconnectButton")
 
 
-def test_disconnecting_during_write_asks_for_confirmation(asking: PromptingWindow) -> None:
-    count = asking.start_writing()
-    ways: list[Gesture] = [
-        lambda: asking.click("connectButton"),
-        lambda: asking.trigger("disconnect"),
-        lambda: asking.connect_port(asking.program.ports.demo_of("aracna")),
-        partial(disconnect_in_find_dialog, asking),
+def test_disconnecting_during_write_asks_for_confirmation(prompting: PromptingWindow) -> None:
+    count = prompting.start_writing()
+    gestures: list[Gesture] = [
+        lambda: prompting.click("connectButton"),
+        lambda: prompting.trigger("disconnect"),
+        lambda: prompting.connect_port(prompting.program.ports.demo_of("aracna")),
+        partial(disconnect_in_find_dialog, prompting),
     ]
-    for disconnect in ways:
-        assert not asking.has_question()
+    for disconnect in gestures:
+        assert not prompting.question.isVisible()
         disconnect()
-        assert asking.has_question()
-        assert "Settings are still being written. Disconnect anyway?" in asking.question.text
-        assert asking.link() is ConnectionState.CONNECTED
-        asking.click("questionCancel")
-    asking.trigger("disconnect")
-    asking.click("disconnectYes")
-    asking.may_store = True
-    asking.wait(lambda: asking.link() is ConnectionState.DISCONNECTED)
-    assert 0 < asking.device.draft.pending <= count
+        assert prompting.question.isVisible()
+        assert "Settings are still being written. Disconnect anyway?" in prompting.question.text
+        assert prompting.device.link is ConnectionState.CONNECTED
+        prompting.click("questionCancel")
+    prompting.trigger("disconnect")
+    prompting.click("disconnectYes")
+    prompting.may_store = True
+    prompting.wait(lambda: prompting.device.link is ConnectionState.DISCONNECTED)
+    assert 0 < prompting.device.draft.pending <= count
 
 
-def test_writing_continues_while_prompt_is_open(asking: PromptingWindow) -> None:
-    asking.start_writing()
-    asking.click("connectButton")
-    asking.click("questionCancel")
-    asking.may_store = True
-    asking.wait(lambda: not asking.device.writer.running)
-    assert asking.device.draft.pending == 0
-    assert asking.link() is ConnectionState.CONNECTED
+def test_writing_continues_while_prompt_is_open(prompting: PromptingWindow) -> None:
+    prompting.start_writing()
+    prompting.click("connectButton")
+    prompting.click("questionCancel")
+    prompting.may_store = True
+    prompting.wait(lambda: not prompting.device.writer.running)
+    assert prompting.device.draft.pending == 0
+    assert prompting.device.link is ConnectionState.CONNECTED
 
-    asking.start_writing()
-    asking.click("connectButton")
-    asking.may_store = True
-    asking.wait(lambda: not asking.device.writer.running)
-    asking.wait(lambda: not asking.has_question())
-    assert asking.link() is ConnectionState.CONNECTED
+    prompting.start_writing()
+    prompting.click("connectButton")
+    prompting.may_store = True
+    prompting.wait(lambda: not prompting.device.writer.running)
+    prompting.wait(lambda: not prompting.question.isVisible())
+    assert prompting.device.link is ConnectionState.CONNECTED
 
-    asking.start_writing()
-    assert not asking.window.close()
-    assert "Settings are still being written. Close anyway?" in asking.question.text
-    assert asking.is_shown()
-    asking.wait(lambda: asking.find(ConfirmButton, "closeYes").accepts_clicks)
-    asking.may_store = True  # closing waits for the current write
-    asking.click("closeYes")
-    assert not asking.is_shown()
+    prompting.start_writing()
+    assert not prompting.window.close()
+    assert "Settings are still being written. Close anyway?" in prompting.question.text
+    assert prompting.window.isVisible()
+    prompting.wait(lambda: prompting.find(ConfirmButton, "closeYes").accepts_clicks)
+    prompting.may_store = True  # closing waits for the current write
+    prompting.click("closeYes")
+    assert not prompting.window.isVisible()
