@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.descriptions import STOP_WITHOUT_EFFECT
 from trex_gui.ui.devices.connection import ConnectionState
 
 LOCKED = "The screen was locked"
-MISTAKEN = "Internal error (ValueError)"
+INTERNAL_ERROR = "Internal error (ValueError)"
 NOT_ARMED = "Not armed: no motor is driven."
 
 
@@ -60,7 +60,7 @@ def test_window_shows_stop_reason_and_can_arm_again(
 
     drive(window, quick_simulator)
     causes.raise_in_slot()
-    wait_for_banner(window, causes, stopped(MISTAKEN))
+    wait_for_banner(window, causes, stopped(INTERNAL_ERROR))
     assert causes.exceptions == [ValueError]
     assert is_stopped(quick_simulator)
     drive(window, quick_simulator)
@@ -72,7 +72,7 @@ def test_repeated_error_disarms_motors_again(
     window = connected_window
     drive(window, quick_simulator)
     causes.raise_in_slot()
-    wait_for_banner(window, causes, stopped(MISTAKEN))
+    wait_for_banner(window, causes, stopped(INTERNAL_ERROR))
     window.motors.arm()
     assert window.motors.armed
     causes.raise_in_slot()  # within a second
@@ -81,7 +81,7 @@ def test_repeated_error_disarms_motors_again(
     causes.raise_in_slot()
     window.wait(lambda: len(causes.exceptions) == 3)
     window.wait(lambda: not window.device.may_move)
-    assert len(causes.reports) <= reports + 1, "the outcome of the stop only"
+    assert len(causes.reports) <= reports + 1, "at most the result of the stop is reported"
 
 
 def test_stop_stays_unconfirmed_while_board_does_not_reply(
@@ -110,11 +110,11 @@ def test_stop_stays_unconfirmed_while_board_does_not_reply(
     assert window.device.may_move
     causes.reports.clear()
     causes.lock_the_screen()
-    out_of_reach = (
+    unreachable = (
         "Motors may still be turning: cut their power. No board is connected, so no stop can be "
         "sent."
     )
-    window.wait(lambda: causes.reports == [f"{LOCKED}. {out_of_reach}"])
+    window.wait(lambda: causes.reports == [f"{LOCKED}. {unreachable}"])
     assert causes.banner.startswith("Motor 1 may still be turning.")
 
 
@@ -124,7 +124,7 @@ def test_stop_stays_unconfirmed_when_board_is_unplugged(
     window = connected_window
     drive(window, quick_simulator)
     quick_simulator.do("line unplug")
-    causes.lock_the_screen()  # before or after the window detects the pulled cable
+    causes.lock_the_screen()  # the window may not have detected the unplugged cable yet
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED and causes.reports)
     window.wait(lambda: not causes.reports[-1].endswith("is not confirmed yet."))
     assert not [text for text in causes.reports if "were stopped" in text]
@@ -139,19 +139,18 @@ def test_no_stop_is_reported_without_stoppable_motors(
     causes.lock_the_screen()
     causes.raise_in_slot()
     window.wait(lambda: causes.reports)
-    assert causes.reports == [f"{MISTAKEN}."]
-    wait_for_banner(window, causes, f"{MISTAKEN}.")
+    assert causes.reports == [f"{INTERNAL_ERROR}."]
+    wait_for_banner(window, causes, f"{INTERNAL_ERROR}.")
 
     window.connect(quick_simulator.url)
     window.wait(lambda: window.motors.is_available)
-    assert window.text("motorStateLabel") == NOT_ARMED, "no stop of a board connected later"
+    assert window.text("motorStateLabel") == NOT_ARMED, (
+        "the screen lock stops no board that connects later"
+    )
 
-    for line in ("jumper mode rc", "power off", "power on"):
-        quick_simulator.do(line)
+    quick_simulator.do("jumper mode rc", "power off", "power on")
     window.wait(
         lambda: window.device.link is ConnectionState.CONNECTED and not window.motors.is_available
     )
     causes.lock_the_screen()
-    wait_for_banner(window, causes, f"{LOCKED}. {STOP_WITHOUT_EFFECT}")  # channels drive
-    for line in ("jumper mode serial", "power off", "power on"):
-        quick_simulator.do(line)
+    wait_for_banner(window, causes, f"{LOCKED}. {STOP_WITHOUT_EFFECT}")

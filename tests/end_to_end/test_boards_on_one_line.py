@@ -1,4 +1,4 @@
-"""Several boards on one line: their list, a new number, one file for all."""
+"""Several boards on one line: list, new number, one settings file for all."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ from trex_gui.ui.devices.ports import Port
 
 
 def connect(window: WindowDriver, url: str, number: int) -> None:
-    """Connect to one board of several, like *Find*."""
+    """Connect to one of several boards, like the *Find* dialog."""
     port: Port = window.program.ports.add_typed(url)
     settings = ConnectionSettings(url, device_number=number)
     window.program.device_manager.connect_with(port, settings)
@@ -38,7 +38,14 @@ def select(window: WindowDriver, row: int) -> None:
     QTest.mouseClick(shown.viewport(), Qt.MouseButton.LeftButton, pos=place)
 
 
-def test_boards_on_one_line(
+def find_boards(window: WindowDriver) -> None:
+    """Scan the line for boards. Wait until the scan ends."""
+    window.trigger("boards")
+    window.wait(lambda: window.has("boardsProgress"))
+    window.wait(lambda: not window.has("boardsProgress"))
+
+
+def test_boards_are_listed_selected_renumbered_and_written(
     window: WindowDriver,
     start_simulator: StartSimulator,
     tmp_path: Path,
@@ -52,10 +59,7 @@ def test_boards_on_one_line(
     connect(window, boards.url, 7)
     assert not window.has("boardPanel")
 
-    # The boards are found in the background.
-    window.trigger("boards")
-    window.wait(lambda: window.has("boardsProgress"))
-    window.wait(lambda: not window.has("boardsProgress"))
+    find_boards(window)
     assert rows(window) == [
         ["3 · TReX 1.2", "responding"],
         ["7 · TReX 1.2", "selected"],
@@ -63,7 +67,7 @@ def test_boards_on_one_line(
     ]
     check_keyboard(window.window)
 
-    # A selection stops the driven board, and switches every page.
+    # Selecting another board stops the driven board and switches all pages.
     window.motors.arm()
     window.motors.set_speed(1, 30)
     window.wait(lambda: boards.show("@7")["motors"][0]["target_speed"])
@@ -82,7 +86,7 @@ def test_boards_on_one_line(
     window.press_escape()
     window.wait(lambda: is_stopped(boards, "@9"))
 
-    # A reset would set a number that another board has.
+    # A reset would set the number of another board.
     window.trigger("defaults")
     review = window.dialog("reviewDialog")
     review.click("boardResetButton")
@@ -90,7 +94,7 @@ def test_boards_on_one_line(
     review.click("questionCancel")
     review.click("reviewCloseButton")
 
-    # The keyboard also selects.
+    # A board is also selected by keyboard.
     shown = window.find(QListWidget, "boardList")
     shown.setCurrentRow(1)
     QTest.keyClick(shown, Qt.Key.Key_Return)
@@ -109,7 +113,7 @@ def test_boards_on_one_line(
     window.wait(lambda: [row[0] for row in rows(window)][-1] == "12 · TReX 1.2")
     assert boards.show("@7")["parameters"]["device_number"] == 12
 
-    # One file for all boards: each keeps its number, and unsuitable settings are omitted.
+    # With one file for all boards, each keeps its number. Unsuitable settings are omitted.
     path = tmp_path / "fleet.txt"
     save(path, "product: TReX\ndevice_number: 55\nserial_timeout: 7\nrequired_channels: 3\n")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_a, **_k: (str(path), ""))
@@ -136,7 +140,7 @@ def test_boards_on_one_line(
         if (item := table.item(row, 0)) is not None:
             item.setCheckState(Qt.CheckState.Unchecked)
     assert fleet.button("writeBoardsButton").text() == "&Write to boards"
-    # Closing the dialog ends the work after the current board, which the window reports.
+    # After the dialog is closed, only the current board is written. The window reports this.
     window.trigger("to_boards")
     window.wait(lambda: fleet.is_enabled("writeBoardsButton"))
     window.device.applied.connect(fleet.root.close, Qt.ConnectionType.SingleShotConnection)
@@ -154,7 +158,7 @@ def test_boards_on_one_line(
         for shown in (boards.show(name)["parameters"],)
     ]
     assert stored == [(3, 7), (12, 7), (9, 0)]
-    # The dialog may cover the window, so it has a stop button of its own.
+    # The dialog may cover the window, so it has its own stop button.
     window.wait(lambda: window.motors.can_arm)
     window.motors.arm()
     window.motors.set_speed(1, 30)
@@ -166,20 +170,18 @@ def test_boards_on_one_line(
     QTest.mouseRelease(fleet.button("boardsStopButton"), Qt.MouseButton.LeftButton)
     fleet.click("closeBoardsButton")
 
-    # Closing hides the list. The next connection is to the board that was shown last.
+    # Disconnecting hides the list.
     window.disconnect()
     assert not window.has("boardPanel")
 
 
-def test_what_drives_one_board_drives_no_other(
+def test_control_held_for_one_board_drives_no_other(
     window: WindowDriver, start_simulator: StartSimulator, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trex_gui.devices.trex.model.boards.NUMBERS", 16)
     boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
     connect(window, boards.url, 7)
-    window.trigger("boards")
-    window.wait(lambda: window.has("boardsProgress"))
-    window.wait(lambda: not window.has("boardsProgress"))
+    find_boards(window)
     page = MotorsPage(window, boards)
     page.motors.accelerate = False
     page.motors.lockout = 0
@@ -187,7 +189,12 @@ def test_what_drives_one_board_drives_no_other(
     def moves(board: str) -> bool:
         return bool(boards.show(board)["motors"][0]["direction"] == "forward")
 
-    def switch(row: int) -> None:
+    def drive(board: str) -> None:
+        page.arm()
+        page.motors.set_speed(1, 30)
+        page.wait(lambda: moves(board))
+
+    def switch_to(row: int) -> None:
         """Select a board with the keyboard while the mouse holds a control."""
         shown = window.find(QListWidget, "boardList")
         shown.setCurrentRow(row)
@@ -200,10 +207,10 @@ def test_what_drives_one_board_drives_no_other(
 
     def repeat_key() -> None:
         no_modifier = Qt.KeyboardModifier.NoModifier
-        again = QKeyEvent(QKeyEvent.Type.KeyPress, Qt.Key.Key_Up, no_modifier, "", True)
-        QApplication.sendEvent(page.pad, again)
+        event = QKeyEvent(QKeyEvent.Type.KeyPress, Qt.Key.Key_Up, no_modifier, "", True)
+        QApplication.sendEvent(page.pad, event)
 
-    # A held control stays held: a board that is armed next does not follow the control.
+    # A board that is armed while a control is still held does not follow the control.
     gestures: tuple[tuple[Gesture, Gesture, Gesture], ...] = (
         (lambda: page.hold_pad(0.8, 0), lambda: page.move_pad(0.9, 0), page.release_pad),
         (
@@ -213,26 +220,24 @@ def test_what_drives_one_board_drives_no_other(
         ),
         (hold_key, repeat_key, lambda: page.release_key(Qt.Key.Key_Up)),
     )
-    for hold, go_on, release in gestures:
+    for hold, change, release in gestures:
         page.arm()
         hold()
         page.wait(lambda: moves("@7"))
-        switch(1)
+        switch_to(1)
         assert is_stopped(boards, "@7")
         page.wait(lambda: page.motors.can_arm)
         page.motors.arm()
-        go_on()
+        change()
         page.let_nothing_happen(0.5)
         assert not moves("@9")
         assert is_stopped(boards, "@7")
         release()
         window.press_escape()
-        switch(0)
+        switch_to(0)
 
-    # Esc during the switch, and a line that is closed during it.
-    page.arm()
-    page.motors.set_speed(1, 30)
-    page.wait(lambda: moves("@7"))
+    # Esc during the switch stops both boards.
+    drive("@7")
     select(window, 1)
     window.press_escape()
     window.wait(lambda: rows(window)[1][1] == "selected")
@@ -241,9 +246,7 @@ def test_what_drives_one_board_drives_no_other(
     assert not moves("@9")
 
     # After a lost line, the last driven board is found and stopped.
-    page.arm()
-    page.motors.set_speed(1, 30)
-    page.wait(lambda: moves("@9"))
+    drive("@9")
     boards.do("line unplug")
     page.wait(lambda: page.device.link is ConnectionState.DISCONNECTED)
     assert page.device.may_move
@@ -253,10 +256,8 @@ def test_what_drives_one_board_drives_no_other(
     assert is_stopped(boards, "@9")
     assert not page.device.driving.lost_board
 
-    # With the other board, the warning stays until the first board is selected and stopped.
-    page.arm()
-    page.motors.set_speed(1, 30)
-    page.wait(lambda: moves("@9"))
+    # While the other board is connected, the warning remains until the lost board is stopped.
+    drive("@9")
     boards.do("line unplug")
     page.wait(lambda: page.device.link is ConnectionState.DISCONNECTED)
     boards.do("line plug")

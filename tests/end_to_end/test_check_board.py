@@ -1,6 +1,4 @@
-"""Recovery of a board with lost serial settings by its jumpers."""
-
-from functools import partial
+"""Recovery of a board with unknown serial settings by means of its jumpers."""
 
 import pytest
 from PySide6.QtWidgets import QComboBox
@@ -20,19 +18,15 @@ def driver_of(window: WindowDriver) -> WidgetDriver:
     return WidgetDriver(dialog, window.qtbot)
 
 
-def shows(board: SimulatedDevice, leds: tuple[str, str]) -> bool:
-    return tuple(board.show()["leds"].values()) == leds
-
-
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # popups offscreen
-def test_jumpers_bring_back_lost_serial_settings(
+def test_jumpers_restore_default_serial_settings(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     board = quick_simulator
     window.trigger("check_board")
     driver_of(window).click("checkConnectButton")
     ports = window.find(QComboBox, "portCombo")
-    assert ports.view().isVisible(), "no port is chosen yet"
+    assert ports.view().isVisible(), "the user has not selected a port yet"
     ports.hidePopup()
 
     board.do("eeprom uart_settings 0x25")  # CRC-7
@@ -45,18 +39,17 @@ def test_jumpers_bring_back_lost_serial_settings(
     assert not dialog.is_enabled("checkBackButton")
     dialog.click("checkNextButton")
 
-    changes = (
+    control_lines = (
         ("power off", "jumper mode serial", "jumper mix on", "jumper so-ground on"),
         ("power on",),
         ("jumper mix off",),
         ("jumper so-ground off",),
         ("power cycle",),
     )
-    for number, (step, done) in enumerate(zip(_STEPS, changes, strict=True)):
+    for number, (step, lines) in enumerate(zip(_STEPS, control_lines, strict=True)):
         assert dialog.text("handShakeToDo") == step.instruction
-        for change in done:
-            board.do(change)
-        window.wait(partial(shows, board, step.leds))
+        board.do(*lines)
+        window.wait(lambda: tuple(board.show()["leds"].values()) == step.leds)  # noqa: B023
         jumpers = board.show()["jumpers"]
         assert (jumpers["mix"], jumpers["so_ground"]) == step.jumpers[:2]
         if step.title == "SO–G: off":
@@ -73,7 +66,7 @@ def test_jumpers_bring_back_lost_serial_settings(
 
     dialog.root.close()
     window.trigger("check_board")
-    assert dialog.has("checkLedsPage"), "from the beginning"
+    assert dialog.has("checkLedsPage"), "the dialog starts again at its first page"
     dialog.root.close()
     window.trigger("find")
     window.click("findCheckButton")

@@ -1,4 +1,4 @@
-"""Closing the window while motors may still turn shows a warning first."""
+"""A warning appears before the window closes while motors may still turn."""
 
 import signal
 import sys
@@ -23,11 +23,7 @@ WARNING = "The stop is not confirmed. If a motor is still turning, cut its power
 
 
 class UnconfirmedStopWindow(WindowDriver):
-    """Window of a board that runs a motor and no longer replies.
-
-    Attributes:
-        simulator: the board, which still executes commands.
-    """
+    """Window of a board that runs a motor and obeys commands, but no longer replies."""
 
     def __init__(self, window: WindowDriver, simulator: VirtualSimulator) -> None:
         super().__init__(window.program, window.qtbot)
@@ -41,9 +37,6 @@ class UnconfirmedStopWindow(WindowDriver):
     def is_running(self) -> bool:
         return bool(self.simulator.show()["motors"][0]["speed"] == 60)
 
-    def is_shown(self) -> bool:
-        return self.window.isVisible()
-
     def connect_board(self) -> None:
         self.device.connect_to(ConnectionSettings(self.simulator.url))
         self.wait(
@@ -52,7 +45,6 @@ class UnconfirmedStopWindow(WindowDriver):
 
     @property
     def prompt(self) -> str:
-        """Text of the prompt. Empty without a prompt."""
         return self.window.question.text
 
 
@@ -61,17 +53,17 @@ def running(window: WindowDriver, quick_simulator: VirtualSimulator) -> Unconfir
     return UnconfirmedStopWindow(window, quick_simulator)
 
 
-def test_closing_warns_until_it_is_repeated(running: UnconfirmedStopWindow) -> None:
+def test_closing_is_refused_once_with_a_warning(running: UnconfirmedStopWindow) -> None:
     assert not running.window.close()
-    assert running.is_shown()
+    assert running.window.isVisible()
     assert running.prompt == WARNING
     running.click("questionCancel")
     assert running.prompt == ""
-    assert running.is_shown()
+    assert running.window.isVisible()
     assert not running.window.close()
     assert running.prompt == WARNING
     assert running.window.close()
-    assert not running.is_shown()
+    assert not running.window.isVisible()
 
 
 def test_unapplied_edits_are_confirmed_once_before_warning(running: UnconfirmedStopWindow) -> None:
@@ -80,12 +72,10 @@ def test_unapplied_edits_are_confirmed_once_before_warning(running: UnconfirmedS
     running.click("closeYes")
     assert running.prompt == WARNING
     running.click("closeUnstopped")
-    assert not running.is_shown()
+    assert not running.window.isVisible()
 
 
-def test_reconnecting_confirms_stop_and_clears_warning(
-    running: UnconfirmedStopWindow,
-) -> None:
+def test_reconnecting_confirms_stop_and_clears_warning(running: UnconfirmedStopWindow) -> None:
     running.window.close()
     running.simulator.do("line mute off")
     running.connect_board()
@@ -94,14 +84,12 @@ def test_reconnecting_confirms_stop_and_clears_warning(
     assert running.window.close()
 
 
-def test_late_stop_confirmation_closes_the_window(
-    running: UnconfirmedStopWindow,
-) -> None:
+def test_late_stop_confirmation_closes_the_window(running: UnconfirmedStopWindow) -> None:
     running.simulator.do("line mute off")
     running.simulator.on_close = lambda: runtime().sleep(10)
     assert not running.window.close()
     assert running.prompt == WARNING
-    running.wait(lambda: not running.is_shown(), 40_000)
+    running.wait(lambda: not running.window.isVisible(), 40_000)
     assert not running.device.may_move
     assert is_stopped(running.simulator)
 
@@ -116,7 +104,7 @@ def test_logging_out_closes_without_a_warning(running: UnconfirmedStopWindow) ->
 def test_sigterm_with_unconfirmed_stop_prints_warning_and_fails(
     quick_simulator: SimulatorProcess, tmp_path: Path
 ) -> None:
-    window = DrivingProcess(quick_simulator, tmp_path, extra_time="usual")
+    window = DrivingProcess(quick_simulator, tmp_path, timeouts="default")
     try:
         window.drive()
         quick_simulator._process.send_signal(signal.SIGSTOP)

@@ -1,6 +1,4 @@
-"""A board in the window: connection, pages, settings, motors, and typed text."""
-
-from functools import partial
+"""Window with a connected board: title, pages, port list, modes, and typed text."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -11,7 +9,6 @@ from tests.support.pages.channels import input_of
 from tests.support.pages.parameters import ParametersPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.device import Device
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
@@ -23,7 +20,7 @@ def connected(window: WindowDriver, simulator: SimulatedDevice) -> WindowDriver:
     return window
 
 
-def test_minimised_window_updates_after_restore(
+def test_minimized_window_updates_after_restore(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window = connected
@@ -33,16 +30,16 @@ def test_minimised_window_updates_after_restore(
     window.window.showMinimized()
     simulator.do("channel 1 1800us")
     window.wait(lambda: telemetry.raw_of(1) == 4500)
-    begun, before = now(), telemetry.samples
-    window.wait(lambda: now() > begun + 2)
-    assert telemetry.samples - before < 2 * 60
+    start, count = now(), telemetry.samples
+    window.wait(lambda: now() > start + 2)
+    assert telemetry.samples - count < 2 * 60
     assert input_of(channels, 1).startswith("1500 µs (3750)")
 
     window.window.showNormal()
     assert input_of(channels, 1).startswith("1800 µs (4500)")
-    begun, before = now(), telemetry.samples
-    window.wait(lambda: now() > begun + 2)
-    assert telemetry.samples - before > 2 * 150
+    start, count = now(), telemetry.samples
+    window.wait(lambda: now() > start + 2)
+    assert telemetry.samples - count > 2 * 150
 
     window.window.showMinimized()
     window.disconnect()
@@ -94,11 +91,11 @@ def test_title_and_pages_show_board_data_until_disconnect(
         assert not window.is_enabled(name), name
 
 
-def test_connect_in_the_menu_follows_the_port_in_the_list(connected: WindowDriver) -> None:
+def test_connect_menu_entry_follows_the_selected_port(connected: WindowDriver) -> None:
     window, first = connected, connected.program.device_manager.current.port
     assert not window.action("connect").isEnabled()
     window.select("portCombo", window.program.ports.demo_of("trex"))
-    assert window.action("connect").isEnabled(), "as the button connects"
+    assert window.action("connect").isEnabled(), "the button would connect too"
     window.select("portCombo", first)
     assert not window.action("connect").isEnabled()
     window.select("portCombo", window.program.ports.demo_of("trex"))
@@ -143,17 +140,13 @@ def test_board_in_rc_mode_rejects_settings_and_speeds(
 KEY = "serial_timeout"
 
 
-def has_link(device: Device, link: ConnectionState) -> bool:
-    return device.link is link
-
-
 def editor(page: ParametersPage) -> QSpinBox:
-    found = page.view.indexWidget(page.index_of(KEY))
-    assert isinstance(found, QSpinBox)
-    return found
+    widget = page.view.indexWidget(page.index_of(KEY))
+    assert isinstance(widget, QSpinBox)
+    return widget
 
 
-def type_partly(page: ParametersPage, text: str) -> None:
+def type_without_enter(page: ParametersPage, text: str) -> None:
     page.view.setCurrentIndex(page.index_of(KEY))
     QTest.keyClick(page.view, Qt.Key.Key_F2)
     editor(page).selectAll()
@@ -166,13 +159,13 @@ def test_typed_text_survives_a_silent_board(
     window, device = connected_window, connected_window.device
     page = ParametersPage(window)
     page.view.setFocus()
-    type_partly(page, "1.5")
+    type_without_enter(page, "1.5")
     for command, link in (
         ("line mute on", ConnectionState.NOT_RESPONDING),
         ("line mute off", ConnectionState.CONNECTED),
     ):
         quick_simulator.do(command)
-        window.wait(partial(has_link, device, link))
+        window.wait(lambda: device.link is link)  # noqa: B023
         assert editor(page).text() == "1.5", command
         assert editor(page).hasFocus(), command
     quick_simulator.do("line mute on")
@@ -180,7 +173,7 @@ def test_typed_text_survives_a_silent_board(
     QTest.keyClick(editor(page), Qt.Key.Key_Return)
     window.wait(lambda: device.parameters.values.value_of(KEY) == 15)
     page.wait_for_no_editor(KEY)
-    type_partly(page, "2")
+    type_without_enter(page, "2")
     quick_simulator.do("line unplug")
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     assert device.parameters.values.value_of(KEY) == 20

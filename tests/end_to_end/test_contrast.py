@@ -40,7 +40,7 @@ from trex_gui.ui.widgets.messages import ActionBar
 each_scheme = pytest.mark.parametrize(
     "scheme", sampled(("dark", "light", "high_contrast"), every=3)
 )
-"""One finds colours that do not follow the scheme; `tests/ui/theme` measures those of each."""
+"""One scheme shows colours that ignore the scheme. `tests/ui/theme` checks all schemes."""
 
 
 def check(driver: WindowDriver, window: QWidget) -> None:
@@ -82,13 +82,13 @@ KINDS = (
 
 
 def outline_contrast(picture: QImage, left: QPoint, *inside: QPoint) -> float:
-    """Return the worst contrast of a left edge to the window and to points inside.
+    """Return the lowest contrast of a left edge with the window and with points inside.
 
-    Because of antialiasing, the best of three pixels counts as the edge.
+    The edge is antialiased, so the pixel with the best contrast out of three counts.
     """
     edge = [picture.pixelColor(left + QPoint(x, 0)) for x in range(3)]
-    beside = [theme().color("window"), *map(picture.pixelColor, inside)]
-    return min(max(contrast(color, other) for color in edge) for other in beside)
+    neighbours = [theme().color("window"), *map(picture.pixelColor, inside)]
+    return min(max(contrast(color, other) for color in edge) for other in neighbours)
 
 
 def contrast_of(control: QWidget) -> float:
@@ -129,15 +129,12 @@ def contrast_of_box_in(view: QAbstractItemView) -> float:
 
 
 def controls_of(window: QWidget) -> list[QWidget]:
-    """Return cleared check boxes, and editors and buttons with a frame.
-
-    The bar at the top frames its own controls.
-    """
-    frames = ((each, each.parentWidget()) for each in window.findChildren(QWidget))
+    """Return enabled controls, except checked buttons and links. A frame replaces its controls."""
+    pairs = ((each, each.parentWidget()) for each in window.findChildren(QWidget))
     return [
         control
-        for each, frame in frames
-        for control in [frame if frame and frame.property("look") == "pill" else each]
+        for each, parent in pairs
+        for control in [parent if parent and parent.property("look") == "pill" else each]
         if isinstance(each, KINDS)
         and control.isEnabledTo(control.window())
         and not (isinstance(control, QAbstractButton) and control.isChecked())
@@ -155,7 +152,7 @@ def test_controls_have_a_visible_outline_in_every_theme(window: WindowDriver) ->
     window.dialog("powerCycleDialog")
     for bar in window.find_all(ActionBar):
         buttons = (each for each in bar.findChildren(QPushButton) if each is not bar.stop)
-        assert [each.text() for each in buttons if not each.icon().isNull()] == [], "on amber"
+        assert [each.text() for each in buttons if not each.icon().isNull()] == [], "not visible"
     controls = controls_of(window.window)
     assert all(any(isinstance(control, kind) for control in controls) for kind in KINDS)
     assert len(window.find_all(QDialog)) > 8
@@ -165,9 +162,9 @@ def test_controls_have_a_visible_outline_in_every_theme(window: WindowDriver) ->
     for scheme in SCHEMES[1:]:
         theme().set_scheme(scheme)
         weak = {
-            f"{control.window().objectName()}.{control.objectName()}": found
+            f"{control.window().objectName()}.{control.objectName()}": ratio
             for control in controls
-            if (found := contrast_of(control)) < 3
+            if (ratio := contrast_of(control)) < 3
         }
         assert weak == {}, scheme
         assert min(contrast_of_box_in(view) for view in views) >= 3, scheme

@@ -57,7 +57,7 @@ def test_currents_are_shown_and_exported(
     assert ">Motor currents, TReX 1.2, device 7, 2" in picture
 
 
-def test_plot_in_its_own_window_is_drawn_beside_another_page(
+def test_plot_window_is_updated_beside_another_page(
     page: CurrentsPage, quick_simulator: SimulatedDevice
 ) -> None:
     page.trigger("plot")
@@ -67,18 +67,18 @@ def test_plot_in_its_own_window_is_drawn_beside_another_page(
     quick_simulator.do("current 1 6")
     model = WidgetDriver(shown, page.qtbot).find(QTableView, "traceTable").model()
     page.wait(lambda: model.index(0, TraceColumn.NOW).data() == "6.00 A")
-    assert page.panel.plot.span.length == 30, "each has choices of its own"
+    assert page.panel.plot.span.length == 30, "each plot has its own time span"
     note = WidgetDriver(shown, page.qtbot).find(QLabel, "pageState")
     assert "One count of this board is 150 mA" in note.text()
     shown.resize(shown.minimumSizeHint())
     page.wait(lambda: note.height() < 2 * note.fontMetrics().lineSpacing())
     check_keyboard(shown)
     page.trigger("plot")
-    assert shown.isVisible(), "there is one"
+    assert shown.isVisible(), "no second window opens"
     shown.close()
     page.wait(lambda: not Shiboken.isValid(shown))
     page.trigger("plot")
-    (again,) = (each for each in QApplication.topLevelWidgets() if isinstance(each, PlotWindow))
-    assert again.panel.plot.span.length == 30
+    (reopened,) = (each for each in QApplication.topLevelWidgets() if isinstance(each, PlotWindow))
+    assert reopened.panel.plot.span.length == 30
     page.window.close()  # also closes the plot
-    page.wait(lambda: not Shiboken.isValid(again))
+    page.wait(lambda: not Shiboken.isValid(reopened))

@@ -65,10 +65,10 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     window.wait(lambda: telemetry.raw != first)
 
     page = window.open_page("channelsPage")
-    wanted = 900 + panel.drag_stick("demoInput1", 0.9).value()
-    assert 1900 < wanted < 2100
-    page.wait(lambda: input_of(page, 1).startswith(f"{wanted} µs"))
-    panel.wait(lambda: panel.text("demoValue1") == f"{wanted}\u00a0µs")
+    expected = 900 + panel.drag_stick("demoInput1", 0.9).value()
+    assert 1900 < expected < 2100
+    page.wait(lambda: input_of(page, 1).startswith(f"{expected} µs"))
+    panel.wait(lambda: panel.text("demoValue1") == f"{expected}\u00a0µs")
     automatic = panel.find(QCheckBox, "demoAutomatic")
     assert not automatic.isChecked()
 
@@ -97,7 +97,7 @@ def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel
     assert trex(window.program).controller.demo_board.automatic == frozenset()
 
 
-def test_parts_of_the_drawing_are_pressed(panel: DemoPanel) -> None:
+def test_pressed_parts_of_the_drawing_change_the_board(panel: DemoPanel) -> None:
     for mode in ("rc", "analog", "serial"):
         panel.click("demoMode")
         panel.wait(lambda: panel.board.jumpers.mode == mode)  # noqa: B023 - called at once
@@ -157,7 +157,7 @@ def test_cable_is_unplugged_and_plugged_in_again(
     assert panel.root.isHidden()
     controller.connect_to(window.program.ports.demo_of("trex"))
     panel.wait_for(ConnectionState.DISCONNECTED)
-    assert controller.port is None, "the other board was left"
+    assert controller.port is None, "the other board is disconnected"
     assert "Plug the cable in on the demo panel" in window.text("bannerText")
     assert panel.root.isVisible()
     panel.plug_cable()

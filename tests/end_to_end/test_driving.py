@@ -1,4 +1,4 @@
-"""Driving a simulated board with mouse, keys, finger and an SDL gamepad."""
+"""Driving of a simulated board with mouse, keys, finger and an SDL gamepad."""
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
@@ -19,11 +19,11 @@ from trex_gui.devices.trex.views.pages.motors.key_driver import KeyDriver
 from trex_gui.ui.preferences import Preferences
 
 LOW = 30
-"""A ceiling that held controls reach soon."""
+"""Speed ceiling that a held control reaches soon."""
 
 FORWARD, BACK = ("forward", LOW), ("reverse", LOW)
 CURVE = (FORWARD, ("forward", 10))
-"""What W and D together give."""
+"""Setpoints while W and D are held."""
 
 
 @pytest.fixture
@@ -149,7 +149,7 @@ def test_return_to_zero_slider_brakes_at_every_release(armed: MotorsPage) -> Non
 
 
 def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> None:
-    """A slider without *Return to zero* would keep driving on a hidden page."""
+    """Without the stop, a slider without *Return to zero* would drive on a hidden page."""
     sixty = ("forward", 60)
     controls: dict[str, tuple[Gesture, Gesture]] = {
         "slider": (
@@ -180,7 +180,7 @@ def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> N
     sign = keys.open_page("boardPage").find(QLabel, "motorsSign")
     assert sign.accessibleName() == "Now"
     keys.let_nothing_happen(0.1)
-    assert keys.target(1) == sixty, "a slider that was released drives on"
+    assert keys.target(1) == sixty, "a released slider keeps driving"
     assert keys.is_armed()
 
     keys.show_page()
@@ -193,7 +193,7 @@ def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> N
     keys.arm()
     keys.window.showMinimized()
     keys.wait(lambda: not keys.is_armed())
-    assert Preferences().flag("motors/stop_on_leaving", default=False), "it is remembered"
+    assert Preferences().flag("motors/stop_on_leaving", default=False), "the option is saved"
 
 
 def test_focus_moves_from_arming_to_stop_button(page: MotorsPage) -> None:
@@ -219,23 +219,21 @@ def test_focus_moves_from_arming_to_stop_button(page: MotorsPage) -> None:
     assert view.isVisible()
     assert "Current Limit" in str(view.currentIndex().siblingAtColumn(0).data())
     page.disconnect()
-    assert not facts.isEnabled(), "the next board may store something else"
+    assert not facts.isEnabled(), "the next board may store other values"
     assert "no ramp" in facts.text()
     assert "href" not in facts.text()
 
 
 def test_stop_moves_focus_to_stop_button(armed: MotorsPage) -> None:
-    for kind, name in ((QSlider, "motor1Slider"), (QSpinBox, "motor2Entry")):
-        armed.find(kind, name).setFocus()
+    slider, entry = armed.find(QSlider, "motor1Slider"), armed.find(QSpinBox, "motor2Entry")
+    for control in (slider, entry, armed.pad):
+        control.setFocus()
         armed.motors.stop()
-        assert armed.button("stopButton").hasFocus(), name
+        assert armed.button("stopButton").hasFocus(), control.objectName()
         armed.arm()
-    armed.pad.setFocus()
-    armed.motors.stop()
-    assert armed.button("stopButton").hasFocus()
 
 
-def test_minimising_with_held_slider_stops_and_disarms(armed: MotorsPage) -> None:
+def test_minimizing_with_held_slider_stops_and_disarms(armed: MotorsPage) -> None:
     armed.hold_slider("motor1Slider", 60)
     armed.wait_for_targets(("forward", 60), None)
     armed.window.showMinimized()
@@ -305,7 +303,7 @@ def test_pad_drives_while_held(armed: MotorsPage) -> None:
     armed.wait_for_targets(FORWARD, BACK)
     armed.find(QSpinBox, "motor1Entry").setValue(-20)
     armed.let_nothing_happen(0.05)
-    assert armed.target(1) == FORWARD, "the pad has the motors"
+    assert armed.target(1) == FORWARD, "the pad controls the motors"
     armed.release_pad()
     armed.wait_for_brake()
     assert armed.is_armed()
@@ -344,7 +342,7 @@ def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     armed.find(QCheckBox, "returnToZero").setFocus()
     armed.click_key(Qt.Key.Key_W)
     armed.let_nothing_happen(0.05)
-    assert armed.simulator.show()["motors"] == before, "not switched on"
+    assert armed.simulator.show()["motors"] == before, "driving with keys is off"
     armed.pad.setFocus()
     armed.press_key(Qt.Key.Key_Down)
     armed.wait_for_targets(BACK, BACK)
@@ -373,9 +371,7 @@ def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     armed.wait_for_brake()
 
 
-def test_key_is_held_despite_repeats_and_drives_nowhere_else(
-    keys: MotorsPage,
-) -> None:
+def test_key_is_held_despite_repeats_and_drives_nowhere_else(keys: MotorsPage) -> None:
     keys.motors.set_ceiling(LOW)
     window, none = keys.window.windowHandle(), Qt.KeyboardModifier.NoModifier
     keys.press_key(Qt.Key.Key_W)
@@ -383,7 +379,7 @@ def test_key_is_held_despite_repeats_and_drives_nowhere_else(
     for _ in range(5):
         QTest.simulateEvent(window, True, Qt.Key.Key_W, none, "w", True)
         QTest.simulateEvent(window, False, Qt.Key.Key_W, none, "w", True)
-    assert keys.motors.holder, "repeated presses of a held key are one"
+    assert keys.motors.holder, "repeats of a held key count as one press"
     assert keys.target(1) == FORWARD
     keys.release_key(Qt.Key.Key_W)
     keys.wait_for_brake()
@@ -391,29 +387,29 @@ def test_key_is_held_despite_repeats_and_drives_nowhere_else(
     def send(kind: QEvent.Type, key: Qt.Key, scan_code: int) -> None:
         QApplication.sendEvent(window, QKeyEvent(kind, key, none, scan_code, 0, 0))
 
-    place = 25  # place of a key whose name changes with the layout
-    send(QEvent.Type.KeyPress, Qt.Key.Key_W, place)
+    scan_code = 25  # of a key whose name depends on the keyboard layout
+    send(QEvent.Type.KeyPress, Qt.Key.Key_W, scan_code)
     send(QEvent.Type.KeyPress, Qt.Key.Key_D, 40)
     keys.wait_for_targets(*CURVE)
-    send(QEvent.Type.KeyRelease, Qt.Key.Key_Z, place)
+    send(QEvent.Type.KeyRelease, Qt.Key.Key_Z, scan_code)
     keys.wait_for_targets(FORWARD, BACK)
     send(QEvent.Type.KeyRelease, Qt.Key.Key_D, 40)
     keys.wait_for_brake()
 
     QTest.keyPress(window, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
-    assert not keys.motors.holder, "a shortcut"
+    assert not keys.motors.holder, "a shortcut does not drive"
     QTest.keyRelease(window, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
 
     entry = keys.find(QSpinBox, "brakeEntry")
     entry.setFocus()
     keys.click_key(Qt.Key.Key_Down)
     assert entry.value() == 126
-    assert not keys.motors.holder, "a number field"
+    assert not keys.motors.holder, "a number field uses the key"
 
     keys.open_page("parametersPage")
     keys.find(QTableView, "parametersView").setFocus()
     keys.click_key(Qt.Key.Key_Down)
-    assert not keys.motors.holder, "another page"
+    assert not keys.motors.holder, "another page does not drive"
     keys.let_nothing_happen(0.05)
     assert all(keys.target(motor)[0] == "brake" for motor in (1, 2))
 
@@ -451,7 +447,7 @@ def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None
     keys.motors.set_ceiling(LOW)
     keys.press_key(Qt.Key.Key_W)
     keys.wait_for_targets(FORWARD, FORWARD)
-    keys.find(QSpinBox, "motor1Entry").setFocus()  # this field uses the keys
+    keys.find(QSpinBox, "motor1Entry").setFocus()  # this field uses the key
     keys.wait_for_brake("number field")
     keys.release_key(Qt.Key.Key_W)
 
@@ -476,7 +472,7 @@ def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None
         keys.wait_for_brake("another window")
         keys.release_key(Qt.Key.Key_W)
 
-    keys.click("driveWithKeys")  # off: the pad only follows keys with the focus
+    keys.click("driveWithKeys")  # off, so the pad follows keys only while it has the focus
     keys.pad.setFocus()
     keys.press_key(Qt.Key.Key_Up)
     keys.wait_for_targets(FORWARD, FORWARD)

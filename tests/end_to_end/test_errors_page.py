@@ -1,4 +1,4 @@
-"""Active and past errors on the pages of errors and of the log."""
+"""Active and past errors on the Problems page and in the log."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
 
     def title(bit: str) -> str:
         """Return the title of a card. Empty without a card."""
-        labels = [one for one in page.find_all(QLabel) if one.objectName() == f"{bit}Title"]
+        labels = [each for each in page.find_all(QLabel) if each.objectName() == f"{bit}Title"]
         return labels[0].text() if labels else ""
 
     assert page.text("errorsNote").startswith("Nothing is connected.")
@@ -32,7 +32,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     assert "before connecting" in page.text("MOTOR2_FAULTTimes")
     texts = [event.text for event in window.device.events.all]
     assert any(text.startswith("Latched before connecting") for text in texts)
-    assert tabs.tabText(index) == "Problems", "what is older than the connection does not count"
+    assert tabs.tabText(index) == "Problems", "an error before the connection is not counted"
     assert not page.button("MOTOR2_FAULTClear").isVisible()
     page.click("resetCountsButton")
     page.wait(lambda: not title("MOTOR2_FAULT"))
@@ -54,7 +54,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     page.wait(lambda: title("MOTOR1_FAULT") == "Motor 1 fault, over")
     page.click("MOTOR1_FAULTClear")
     assert tabs.tabText(index) == "Problems"
-    assert title("MOTOR1_FAULT"), "what has occurred stays"
+    assert title("MOTOR1_FAULT"), "the card of a past error remains"
 
     page.wait(lambda: page.text("errorsReading1") == "100.0 %")
     assert int(page.text("errorsReading2")) > 100
@@ -72,7 +72,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     assert page.text("errorsReading4") == "–"
 
 
-def test_card_leads_to_more_about_the_problem(
+def test_card_opens_help_transcript_and_plot_of_problem(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     page = window.open_page("errorsPage")
@@ -90,16 +90,16 @@ def test_card_leads_to_more_about_the_problem(
     page = window.open_page("errorsPage")
     quick_simulator.do("fault 2 on")
     page.wait(lambda: window.has("MOTOR2_FAULTShow"))
-    began = window.device.events.all[-1].time
+    start = window.device.events.all[-1].time
     quick_simulator.do("fault 2 off")
-    page.wait(lambda: window.device.telemetry.latest > began + 40, timeout=60_000)
+    page.wait(lambda: window.device.telemetry.latest > start + 40, timeout=60_000)
     page.click("MOTOR2_FAULTShow")
     plot = window.find_only(TracePlot)
-    assert plot.cursor_time == began
-    assert plot.span.start < began < plot.span.end
+    assert plot.cursor_time == start
+    assert plot.span.start < start < plot.span.end
 
 
-def test_log_keeps_what_happened_over_disconnects(
+def test_log_retains_events_after_disconnecting(
     window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     window.program.complete()
@@ -128,7 +128,7 @@ def test_log_keeps_what_happened_over_disconnects(
 
     window.open_page("trexLogPage")
     text = window.find(QPlainTextEdit, "trexLog").toPlainText()
-    place = 0
+    position = 0
     for part in (
         f"Connected to TReX 1.2 on {url}",
         "Stop: The screen was locked.",
@@ -142,8 +142,8 @@ def test_log_keeps_what_happened_over_disconnects(
         f"⚠ The connection to {url} is gone.",
         f"The picture was written to {tmp_path}",
     ):
-        place = text.find(part, place)
-        assert place >= 0, f"{part} in {text}"
+        position = text.find(part, position)
+        assert position >= 0, f"{part} in {text}"
     window.connect_to_demo("aracna")
     log = window.program.workspace("aracna").log
-    assert not any(url in entry.text for entry in log.entries), "each device has its own"
+    assert not any(url in entry.text for entry in log.entries), "each device has its own log"

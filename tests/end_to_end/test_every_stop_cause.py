@@ -1,4 +1,4 @@
-"""Motors stop for every failure of the window, as the board shows.
+"""Motors stop at every failure of the window.
 
 The simulated board and the window run in separate processes.
 """
@@ -22,7 +22,7 @@ from tests.devices.trex.recording.samples import read_file
 from tests.support.driven_window import AUXILIARY, SPEEDS
 from tests.support.logind import Logind, message_bus
 from tests.support.matrix import sampled
-from tests.support.pages.motors import is_stopped
+from tests.support.pages.motors import is_stopped, signed_speeds
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.signals import ENDING
 from trex_gui.supervisor import INTERNAL_ERROR
@@ -36,44 +36,40 @@ pytestmark = [
 ROOT = Path(__file__).parents[2]
 
 LONG_TIMEOUT = 25.0
-"""Seconds for what takes a moment on a quiet computer; less than a window hangs."""
+"""Seconds for actions that are short on a quiet computer. A window hangs for longer."""
 
 PAUSE = 0.02
 """Seconds between two polls of the simulator."""
 
 POLLS = 20
-"""Packets that a board gets from a line that goes on; a setpoint goes before them."""
+"""Packets after which a working line would have sent a setpoint."""
 
 
 def is_driven(simulator: SimulatedDevice) -> bool:
     """Return whether every motor runs at its setpoint."""
-    shown = simulator.show()
-    speeds = [
-        motor["speed"] * {"forward": 1, "reverse": -1, "brake": 0}[motor["direction"]]
-        for motor in shown["motors"]
-    ]
-    return speeds == list(SPEEDS.values()) and shown["aux"]["speed"] == AUXILIARY
+    auxiliary = simulator.show()["aux"]["speed"]
+    return signed_speeds(simulator) == list(SPEEDS.values()) and auxiliary == AUXILIARY
 
 
-def wait_until(happened: Callable[[], bool], cause: str = "") -> None:
+def wait_until(condition: Callable[[], bool], cause: str = "") -> None:
     """Poll a condition in real time. Fail after a timeout."""
     end = time.monotonic() + LONG_TIMEOUT
-    while not happened():
-        assert time.monotonic() < end, f"{cause}: it never happened"
+    while not condition():
+        assert time.monotonic() < end, f"{cause}: timeout"
         time.sleep(PAUSE)
 
 
 class DrivingProcess:
     """The program in a separate process.
 
-    Its timeouts are long, so that only the tested cause stops the motors. `usual`: defaults.
+    Unless `timeouts` is "default", they are long, so only the tested cause stops the motors.
     """
 
     def __init__(
         self,
         simulator: SimulatedDevice,
         folder: Path,
-        extra_time: str = "long",
+        timeouts: str = "long",
         baud: str = "19200",
         **environment: str,
     ) -> None:
@@ -81,7 +77,7 @@ class DrivingProcess:
         self.guardian_log = folder / "guardian.log"
         program = [sys.executable, "-m", "tests.support.driven_window"]
         self.process = subprocess.Popen(
-            [*program, simulator.url, extra_time, baud],
+            [*program, simulator.url, timeouts, baud],
             cwd=ROOT,
             env={
                 **os.environ,
@@ -97,31 +93,31 @@ class DrivingProcess:
         )
 
     def drive(self) -> None:
-        self.provoke("drive")
-        self.hear("driving")
+        self.send("drive")
+        self.expect("driving")
         wait_until(lambda: is_driven(self.simulator))
         self.wait_for_reply()
 
     def wait_for_reply(self) -> None:
-        """Wait until the event loop of the window has responded."""
-        self.provoke("only_watch")
-        self.hear("watching")
+        """Wait until the event loop of the window has processed a command."""
+        self.send("stop_driving")
+        self.expect("stopped_driving")
 
-    def hear(self, word: str) -> None:
+    def expect(self, word: str) -> None:
         assert self.process.stdout is not None
         ready, _, _ = select.select([self.process.stdout], [], [], LONG_TIMEOUT)
-        assert ready, f"the window never said {word}"
+        assert ready, f"the window never printed {word}"
         assert self.process.stdout.readline() == f"{word}\n"
 
-    def provoke(self, cause: str) -> None:
+    def send(self, command: str) -> None:
         assert self.process.stdin is not None
-        self.process.stdin.write(f"{cause}\n")
+        self.process.stdin.write(f"{command}\n")
         self.process.stdin.flush()
 
     def hang(self, cause: str = "hang") -> None:
         """Make the window hang, and wait until it hangs."""
-        self.provoke(cause)
-        self.hear("hanging")
+        self.send(cause)
+        self.expect("hanging")
 
     def errors(self) -> str:
         """Return the console output after the process has ended."""
@@ -138,7 +134,7 @@ StartWindow = Callable[..., DrivingProcess]
 
 @pytest.fixture
 def start(quick_simulator: SimulatedDevice, tmp_path: Path) -> Iterator[StartWindow]:
-    """Start a window."""
+    """Function that starts a window."""
     windows: list[DrivingProcess] = []
 
     def start(**environment: str) -> DrivingProcess:
@@ -151,7 +147,7 @@ def start(quick_simulator: SimulatedDevice, tmp_path: Path) -> Iterator[StartWin
 
 
 def status_of(process: "subprocess.Popen[str]") -> str:
-    """Return the status of a process in Linux."""
+    """Return the status of a process. Works on Linux only."""
     return Path(f"/proc/{process.pid}/status").read_text()
 
 
@@ -162,18 +158,17 @@ def wait_until_stopped(simulator: SimulatedDevice, cause: str) -> None:
 def assert_stays_stopped(window: DrivingProcess, cause: str) -> None:
     """Fail if a motor runs after the window has processed events and polled the board."""
     window.wait_for_reply()
-    polled = packets(window.simulator) + POLLS
-    wait_until(lambda: packets(window.simulator) >= polled, cause)
+    polled = received_packets(window.simulator) + POLLS
+    wait_until(lambda: received_packets(window.simulator) >= polled, cause)
     assert is_stopped(window.simulator), f"{cause}: a motor runs again"
 
 
-def packets(simulator: SimulatedDevice) -> int:
-    """Return the number of packets that the board has received."""
-    received: int = simulator.show()["counters"]["packets"]
-    return received
+def received_packets(simulator: SimulatedDevice) -> int:
+    count: int = simulator.show()["counters"]["packets"]
+    return count
 
 
-# --- In the program ---------------------------------------------------------------------
+# --- Inside the program -----------------------------------------------------------------
 
 
 def test_motors_stop_at_every_fault_the_program_survives(
@@ -181,27 +176,27 @@ def test_motors_stop_at_every_fault_the_program_survives(
 ) -> None:
     window = start()
     for cause in (
-        "mistake_in_a_slot",
-        "mistake_in_a_thread",
+        "error_in_a_slot",
+        "error_in_a_thread",
         "exit_in_a_thread",
         "interrupt_in_a_slot",
-        "mistake_in_an_event_filter",
-        "mistake_while_painting",
-        "mistake_nobody_can_catch",
+        "error_in_an_event_filter",
+        "error_while_painting",
+        "error_in_a_destructor",
         "sleep_unnoticed",
         "lose_the_gamepad",
     ):
         window.drive()
-        window.provoke(cause)
+        window.send(cause)
         wait_until_stopped(quick_simulator, cause)
         assert_stays_stopped(window, cause)
     window.drive()
-    window.provoke("close")
+    window.send("close")
     wait_until_stopped(quick_simulator, "close")
     _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
     assert window.process.returncode == 0
-    mistakes = re.findall("(.*): on purpose", errors)
-    assert mistakes == [
+    exceptions = re.findall("(.*): on purpose", errors)
+    assert exceptions == [
         "ZeroDivisionError",
         "IndexError",
         "KeyboardInterrupt",
@@ -211,26 +206,26 @@ def test_motors_stop_at_every_fault_the_program_survives(
     ]
 
 
-def test_motors_stop_when_the_thread_of_the_line_ends(
+def test_motors_stop_when_the_line_thread_ends(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.drive()
-    window.provoke("end_of_the_line_thread")
-    wait_until_stopped(quick_simulator, "end of the thread")
+    window.send("end_of_the_line_thread")
+    wait_until_stopped(quick_simulator, "end of the line thread")
 
 
 @pytest.mark.parametrize("cause", ["hang_computing", pytest.param("hang", marks=pytest.mark.slow)])
 def test_motors_stop_while_window_hangs(
     cause: str, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    window = start(extra_time="usual")
+    window = start(timeouts="default")
     window.drive()
     window.hang(cause)
     wait_until_stopped(quick_simulator, cause)  # while the window still hangs
 
 
-# --- From outside -----------------------------------------------------------------------
+# --- Outside the program ----------------------------------------------------------------
 
 
 @pytest.mark.slow  # the next test covers SIGTERM
@@ -275,8 +270,8 @@ def test_sigterm_while_recording_ends_program_cleanly(
     disk: str, start: StartWindow, tmp_path: Path
 ) -> None:
     window = start()
-    window.provoke(f"record_on_a_{disk}_disk")
-    window.hear("recording")
+    window.send(f"record_on_a_{disk}_disk")
+    window.expect("recording")
     window.process.send_signal(signal.SIGTERM)
     errors = window.errors()
     assert window.process.returncode == 0
@@ -288,11 +283,11 @@ def test_sigterm_while_recording_ends_program_cleanly(
         assert len(records) > 50
 
 
-@pytest.mark.slow  # the program waits for its window first
+@pytest.mark.slow  # the program waits for its window before it ends
 def test_sigterm_stops_motors_of_hung_window_and_ends_it(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    window = start()  # long timeouts: no heartbeat timeout stops the motors
+    window = start()  # with a long heartbeat timeout, which stops no motor
     window.drive()
     window.hang()
     window.process.send_signal(signal.SIGTERM)
@@ -307,23 +302,23 @@ def test_sigterm_stops_motors_of_hung_window_and_ends_it(
 def test_exit_in_event_handler_stops_motors_and_exits_with_1(
     cause: str, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    """PySide exits the interpreter at once, and Qt aborts while the line still runs."""
+    """PySide exits the interpreter at once. Then Qt aborts, because the line thread still runs."""
     window = start()
     window.drive()
-    window.provoke(cause)
+    window.send(cause)
     assert window.process.wait(LONG_TIMEOUT) == INTERNAL_ERROR
     assert is_stopped(quick_simulator)
     assert "guardian" not in window.errors()
 
 
-_DEATHS = [
+_SIGNALS = [
     pytest.param(signal.SIGKILL, marks=pytest.mark.slow),
     signal.SIGSEGV,
-    *(pytest.param(one, marks=pytest.mark.slow) for one in (signal.SIGABRT, signal.SIGBUS)),
+    *(pytest.param(each, marks=pytest.mark.slow) for each in (signal.SIGABRT, signal.SIGBUS)),
 ]
 
 
-@pytest.mark.parametrize("number", _DEATHS)
+@pytest.mark.parametrize("number", _SIGNALS)
 def test_guardian_stops_motors_of_a_killed_window(
     number: signal.Signals, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
@@ -336,21 +331,21 @@ def test_guardian_stops_motors_of_a_killed_window(
     assert_guardian_confirms(window, "The program ended")
 
 
-def test_guardian_stops_motors_on_a_port_that_the_session_lost(
+def test_guardian_stops_motors_after_the_session_lost_the_port(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.drive()
-    window.provoke("close_the_descriptor")
+    window.send("close_the_descriptor")
     wait_until_stopped(quick_simulator, "closed descriptor")
-    window.provoke("close")
+    window.send("close")
     assert_guardian_confirms(window, "The program requested a stop")
 
 
 def test_guardian_stops_motors_while_the_line_hangs(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    window = start(extra_time="usual")
+    window = start(timeouts="default")
     window.drive()
     window.hang("hang_the_line")
     wait_until_stopped(quick_simulator, "hanging line")
@@ -361,23 +356,23 @@ def test_guardian_stops_motors_while_the_line_hangs(
 def test_guardian_stops_motors_while_the_process_is_suspended(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    window = start(extra_time="usual")
+    window = start(timeouts="default")
     window.drive()
     window.process.send_signal(signal.SIGSTOP)
     wait_until_stopped(quick_simulator, "SIGSTOP")
     window.process.send_signal(signal.SIGCONT)
     assert_stays_stopped(window, "SIGCONT")
-    window.provoke("close")
+    window.send("close")
     _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
     assert "The program did not respond while motors could move." in errors
 
 
-def assert_guardian_confirms(window: DrivingProcess, why: str) -> None:
+def assert_guardian_confirms(window: DrivingProcess, reason: str) -> None:
     """Wait until the guardian ends, and check its report."""
     _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
-    said = f"{why} while motors could move. The stop was sent and is confirmed."
-    assert said in errors
-    assert said in window.guardian_log.read_text(encoding="utf-8")
+    report = f"{reason} while motors could move. The stop was sent and is confirmed."
+    assert report in errors
+    assert report in window.guardian_log.read_text(encoding="utf-8")
 
 
 # --- From the desktop -------------------------------------------------------------------
@@ -385,15 +380,15 @@ def assert_guardian_confirms(window: DrivingProcess, why: str) -> None:
 
 @pytest.fixture
 def bus() -> Iterator[tuple[str, QDBusConnection]]:
-    """Start a private message bus. Return its address and a connection."""
-    with message_bus() as both:
-        yield both
+    """Private message bus: its address and a connection."""
+    with message_bus() as bus:
+        yield bus
 
 
 _LOGIN = "/org/freedesktop/login1"
 
 
-def test_desktop_stops_motors_and_sleep_waits_for_it(
+def test_desktop_signals_stop_motors_before_the_computer_sleeps(
     start: StartWindow,
     quick_simulator: SimulatedDevice,
     bus: tuple[str, QDBusConnection],
@@ -406,7 +401,7 @@ def test_desktop_stops_motors_and_sleep_waits_for_it(
     window.drive()
     logind.announce_sleep(begins=True)
     qtbot.waitUntil(lambda: logind.held == 0)
-    assert is_stopped(quick_simulator), "now the computer sleeps"
+    assert is_stopped(quick_simulator), "stopped before the computer sleeps"
     logind.announce_sleep(begins=False)
     qtbot.waitUntil(lambda: logind.held == 1)
 
@@ -418,8 +413,8 @@ def test_desktop_stops_motors_and_sleep_waits_for_it(
     )
     for path, interface, name, arguments in signals:
         window.drive()
-        said = QDBusMessage.createSignal(path, interface, name)
-        said.setArguments(arguments)
-        assert connection.send(said)
+        message = QDBusMessage.createSignal(path, interface, name)
+        message.setArguments(arguments)
+        assert connection.send(message)
         wait_until_stopped(quick_simulator, name)
     logind.close()

@@ -1,4 +1,4 @@
-"""Every page and dialog in a longer, accented language, and its buttons by keyboard.
+"""Every page and dialog, in a pseudo-language and by keyboard.
 
 Finds untranslated and cut texts, windows that are too large for the screen, and focused buttons
 that Enter or Space does not press.
@@ -77,7 +77,7 @@ FOCUSED = {
     "gamepadDialog": "gamepadCloseButton",
     "powerCycleDialog": "powerCycleCloseButton",
     "preferencesDialog": "preferencesClose",
-    # Text to type, select or read first.
+    # Where the user types, selects or reads first.
     "helpDialog": "helpText",
     "historyDialog": "snapshotSearch",
     "newSettingsDialog": "beginningsList",
@@ -86,10 +86,10 @@ FOCUSED = {
     "robotsDialog": "robotsTable",
     "groupDialog": "joinBoards",
     "applyToBoardsDialog": "closeBoardsButton",  # nothing can be written in this test
-    # The first control, since the primary button is disabled with this board.
+    # The first control, because the primary button is disabled with this board.
     "checkDialog": "checkNextButton",
 }
-"""What has the focus in each dialog when it opens."""
+"""Focused widget of each dialog when it opens."""
 
 
 def name_of(widget: QWidget | None) -> str:
@@ -97,19 +97,19 @@ def name_of(widget: QWidget | None) -> str:
     return (widget.objectName() if widget is not None else "") or text.replace("&", "")
 
 
-class ButtonWalk:
-    """Presses each button once with either key. Only stop buttons act.
+class ButtonPresser:
+    """Presses each button once with each key. Only stop buttons have an effect.
 
     Attributes:
-        pressed: all pressed buttons, even in closed windows.
-        deaf: buttons that a key does not press, or that do not stop, by window.
-        focused: name of the focused widget in a new dialog, by name of the dialog.
+        pressed: pressed buttons, also of closed windows.
+        failed: buttons that a key does not press, and stop buttons that do not stop.
+        focused: name of each dialog → name of its focused widget when it opens.
     """
 
     def __init__(self, stopped: SignalInstance) -> None:
         """`stopped` is emitted at each stop."""
         self.pressed: set[QAbstractButton] = set()
-        self.deaf: list[str] = []
+        self.failed: list[str] = []
         self.focused: dict[str, str] = {}
         self._stops = 0
         stopped.connect(self._count_stop)
@@ -117,7 +117,7 @@ class ButtonWalk:
     def _count_stop(self) -> None:
         self._stops += 1
 
-    def through(self, window: QWidget) -> None:
+    def press_all(self, window: QWidget) -> None:
         window.activateWindow()
         QCoreApplication.processEvents()
         if isinstance(window, QDialog) and window.objectName() not in self.focused:
@@ -145,24 +145,24 @@ class ButtonWalk:
                 is_pressed = button.hasFocus() and button.isDown()
                 if not is_pressed or self._stops != before + is_red:
                     where = button.window().objectName()
-                    self.deaf.append(f"{where}: {name_of(button)} {key.name}")
+                    self.failed.append(f"{where}: {name_of(button)} {key.name}")
                 button.setDown(False)
                 QTest.keyRelease(button, key)
 
 
 class Findings:
-    """Findings without duplicates."""
+    """Untranslated and cut texts, without duplicates."""
 
     def __init__(self) -> None:
         self.untranslated: dict[str, str] = {}
         self.cut: set[str] = set()
 
-    def look(self, window: QWidget) -> None:
+    def check(self, window: QWidget) -> None:
         for _ in range(3):  # a layout may request another layout
             QCoreApplication.processEvents()
         for where, text in shown_texts(window):
-            if rest := untranslated(text):
-                self.untranslated.setdefault(rest, where)
+            if part := untranslated(text):
+                self.untranslated.setdefault(part, where)
         self.cut.update(f"{window.objectName()}: {cut}" for cut in cut_texts(window))
         screen, least = window.screen().availableGeometry(), window.minimumSizeHint() + FRAME
         if not (
@@ -178,7 +178,7 @@ class Findings:
 def pseudo_window(
     request: pytest.FixtureRequest, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[WindowDriver]:
-    """Window in the pseudo-language at a font size on a screen."""
+    """Window in the pseudo-language, with a font size and a screen size."""
     percent, screen = request.param
     available = QRect(QPoint(), QSize(*screen))
     monkeypatch.setattr(QScreen, "availableGeometry", lambda _: available)
@@ -187,7 +187,9 @@ def pseudo_window(
     QSettings().setValue("window/font_size", percent)
     translator = PseudoTranslator()
     qapp.installTranslator(translator)
-    use_translations(partial(QCoreApplication.translate, CONTEXT))  # clears cached English texts
+    use_translations(
+        partial(QCoreApplication.translate, CONTEXT)
+    )  # also clears cached English texts
     window: WindowDriver = request.getfixturevalue("window")
     assert theme().font_size == percent
     yield window
@@ -195,49 +197,49 @@ def pseudo_window(
     use_translations(partial(QCoreApplication.translate, CONTEXT))
 
 
-def check(found: Findings) -> None:
-    lines = [f"not translated, {where}: {text!r}" for text, where in found.untranslated.items()]
-    lines += [f"cut, {cut}" for cut in sorted(found.cut)]
+def report(findings: Findings) -> None:
+    lines = [f"not translated, {where}: {text!r}" for text, where in findings.untranslated.items()]
+    lines += [f"cut, {cut}" for cut in sorted(findings.cut)]
     assert not lines, "\n".join(lines)
 
 
-TOO_LONG = "more than there is room for"
+TOO_LONG = "more text than there is space for"
 
 
 def label(*, wraps: bool) -> QLabel:
-    made = QLabel(TOO_LONG)
-    made.setWordWrap(wraps)
-    return made
+    label = QLabel(TOO_LONG)
+    label.setWordWrap(wraps)
+    return label
 
 
 def combo_box() -> QComboBox:
-    made = QComboBox()
-    made.addItem(TOO_LONG)
-    return made
+    box = QComboBox()
+    box.addItem(TOO_LONG)
+    return box
 
 
 def spin_box() -> QSpinBox:
-    made = QSpinBox()
-    made.setSpecialValueText(TOO_LONG)
-    return made
+    box = QSpinBox()
+    box.setSpecialValueText(TOO_LONG)
+    return box
 
 
 def tabs() -> QTabBar:
-    made = QTabBar()
-    made.addTab(TOO_LONG)
-    made.setUsesScrollButtons(False)
-    return made
+    bar = QTabBar()
+    bar.addTab(TOO_LONG)
+    bar.setUsesScrollButtons(False)
+    return bar
 
 
 def table() -> QTableWidget:
-    made = QTableWidget(0, 1)
-    made.setHorizontalHeaderLabels([TOO_LONG])
-    made.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-    return made
+    table = QTableWidget(0, 1)
+    table.setHorizontalHeaderLabels([TOO_LONG])
+    table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+    return table
 
 
 @pytest.mark.parametrize(
-    "make",
+    "create",
     [
         partial(label, wraps=False),
         partial(label, wraps=True),
@@ -251,8 +253,8 @@ def table() -> QTableWidget:
         table,
     ],
 )
-def test_cut_text_is_found(qtbot: QtBot, make: Callable[[], QWidget]) -> None:
-    window, widget = QWidget(), make()
+def test_cut_text_is_found(qtbot: QtBot, create: Callable[[], QWidget]) -> None:
+    window, widget = QWidget(), create()
     qtbot.addWidget(window)
     widget.setParent(window)
     window.resize(600, 300)
@@ -268,7 +270,7 @@ def test_cut_text_is_found(qtbot: QtBot, make: Callable[[], QWidget]) -> None:
     assert any(TOO_LONG in cut for cut in cut_texts(window))
 
 
-def test_text_beside_the_view_of_a_page_is_found(qtbot: QtBot) -> None:
+def test_text_outside_the_viewport_of_a_page_is_found(qtbot: QtBot) -> None:
     window, area = QWidget(), QScrollArea()
     qtbot.addWidget(window)
     area.setParent(window)
@@ -287,34 +289,38 @@ def test_text_beside_the_view_of_a_page_is_found(qtbot: QtBot) -> None:
 
 
 @pytest.mark.timeout(120)
-def test_trex(pseudo_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    found, walk = Findings(), ButtonWalk(pseudo_window.motors.stop_requested)
+def test_trex_windows_are_translated_uncut_and_work_by_keyboard(
+    pseudo_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    findings, presser = Findings(), ButtonPresser(pseudo_window.motors.stop_requested)
     for shown in every_trex_window(pseudo_window, tmp_path, monkeypatch):
-        found.look(shown)
-        walk.through(shown)
-    check(found)
-    assert walk.deaf == []
-    assert len(walk.pressed) >= 170
-    assert walk.focused == FOCUSED
+        findings.check(shown)
+        presser.press_all(shown)
+    report(findings)
+    assert presser.failed == []
+    assert len(presser.pressed) >= 170
+    assert presser.focused == FOCUSED
 
 
-def test_aracna(pseudo_window: WindowDriver, tmp_path: Path) -> None:
-    found, walk = Findings(), ButtonWalk(pseudo_window.robot.halted)
+def test_aracna_windows_are_translated_uncut_and_work_by_keyboard(
+    pseudo_window: WindowDriver, tmp_path: Path
+) -> None:
+    findings, presser = Findings(), ButtonPresser(pseudo_window.robot.halted)
     for shown in every_aracna_window(pseudo_window, tmp_path):
-        found.look(shown)
-        walk.through(shown)
-    check(found)
-    assert walk.deaf == []
-    assert len(walk.pressed) >= 50
+        findings.check(shown)
+        presser.press_all(shown)
+    report(findings)
+    assert presser.failed == []
+    assert len(presser.pressed) >= 50
 
 
-def test_board_reset_needs_a_press_of_its_own(connected_window: WindowDriver) -> None:
+def test_repeated_enter_does_not_reset_the_board(connected_window: WindowDriver) -> None:
     connected_window.trigger("defaults")
     dialog = connected_window.dialog("reviewDialog")
     dialog.root.activateWindow()
     dialog.button("boardResetButton").setFocus()
     for _ in range(2):
         QTest.keyClick(dialog.root.windowHandle(), ENTER)
-    assert not dialog.has("boardResetSureButton"), "the second one cancels"
+    assert not dialog.has("boardResetSureButton"), "the second Enter cancels"
     assert not connected_window.device.writer.running
     assert not connected_window.device.draft.reset_pending

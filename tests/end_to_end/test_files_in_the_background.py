@@ -1,4 +1,4 @@
-"""Only regular files are opened, and outside the window's thread."""
+"""Only regular files are opened, in a thread of their own."""
 
 import os
 import shutil
@@ -21,10 +21,10 @@ def recording(tmp_path: Path) -> Path:
 
 
 @pipes
-def test_pipe_dropped_or_named_at_the_start_is_rejected(
+def test_pipe_that_is_dropped_or_opened_at_start_is_rejected(
     window: WindowDriver, recording: Path
 ) -> None:
-    def reject(path: Path) -> None:
+    def expect_rejection(path: Path) -> None:
         window.wait_for_text("bannerText", path.name)
         window.wait_for_text("bannerText", "an ordinary file")
         window.click("bannerDismiss")
@@ -33,19 +33,19 @@ def test_pipe_dropped_or_named_at_the_start_is_rejected(
         path = recording.with_name(f"pipe{suffix}")
         os.mkfifo(path)
         window.drop(path)
-        reject(path)
+        expect_rejection(path)
         if suffix in {".txt", ".ppr"}:
             window.program.open_file(path, connecting=False)
-            reject(path)
+            expect_rejection(path)
     os.mkfifo(recording.with_name("a.trexrec-wal"))
     window.drop(recording)
-    reject(recording)
+    expect_rejection(recording)
 
 
-def test_files_are_opened_while_the_window_goes_on(
+def test_files_are_opened_while_the_window_responds(
     window: WindowDriver, recording: Path, tmp_path: Path
 ) -> None:
-    """In virtual time, a thread starts when the test advances the time."""
+    """In virtual time, a thread starts only when the test advances the time."""
     other, text = recording.with_name("b.trexrec"), tmp_path / "a.txt"
     shutil.copy(recording, other)
     text.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")

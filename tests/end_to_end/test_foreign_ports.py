@@ -1,4 +1,4 @@
-"""Ports that are remote, noisy, unplugged in use, or without a TReX."""
+"""Ports that are remote or noisy, lose their board, or have none."""
 
 import argparse
 
@@ -47,7 +47,7 @@ def test_port_without_a_board_is_reported(window: WindowDriver, simulator: Simul
     window.wait_for_text("statusLabel", "Trying other settings: 19200 baud, CRC-7")
     window.click("connectButton")
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
-    assert not window.has("bannerText"), "the search was ended by the user"
+    assert not window.has("bannerText"), "the user ended the search"
 
 
 def test_program_that_may_take_the_replies_is_named(
@@ -60,14 +60,14 @@ def test_program_that_may_take_the_replies_is_named(
     simulator.do("line mute on")
     window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)
     window.wait_for_files()
-    assert not window.text("bannerText"), "nothing is known"
+    assert not window.text("bannerText"), "no other program is known"
 
     simulator.do("line mute off")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     users[simulator.url] = "cat (process 7)"
     simulator.do("line mute on")
     window.wait_for_text("bannerText", text)
-    assert not window.has("bannerReconnect"), "the session goes on trying"
+    assert not window.has("bannerReconnect"), "the session keeps retrying"
     window.disconnect()
 
     window.click("connectButton")
@@ -99,43 +99,43 @@ def test_window_reconnects_to_the_same_adapter_only(
     logged: list[str] = []
     device.notifier.logged.connect(lambda text, _: logged.append(text))
 
-    # Under another name, with a motor running and an edit:
+    # The adapter returns under another name. A motor was running, and a setting is edited.
     device.parameters.edit(ParameterKey.SERIAL_TIMEOUT, 9)
     window.wait(lambda: window.motors.is_available)
     window.motors.arm()
     window.motors.set_speed(1, 60)
     window.wait(lambda: board.show()["motors"][0]["direction"] == "forward")
     listed.clear()
-    said: list[str] = []
-    window.device.notifier.info.connect(said.append)
+    infos: list[str] = []
+    window.device.notifier.info.connect(infos.append)
     board.do("line unplug")
     window.wait_for_text("bannerText", f"The connection to {board.url} is gone.")
     assert window.has("bannerReconnect")
     board.do("line plug")
     listed[:] = [adapter(board.url, "B700002")]
     virtual_time.advance(5.0)
-    assert device.link is ConnectionState.DISCONNECTED, "another adapter has its name"
+    assert device.link is ConnectionState.DISCONNECTED, "another adapter has the name of the port"
     assert window.has("bannerText")
     virtual_time.ports["/dev/ttyUSB1"] = virtual_time.ports[board.url]
     listed.append(adapter("/dev/ttyUSB1", "A500001"))
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
-    window.wait(lambda: any(text.startswith("1 earlier change still pending.") for text in said))
+    window.wait(lambda: any(text.startswith("1 earlier change still pending.") for text in infos))
     assert not window.motors.armed
-    assert window.motors.board.endswith("-0403:6001-A500001"), "its speed ceiling is found again"
+    assert window.motors.board.endswith("-0403:6001-A500001"), "its speed ceiling applies"
     assert board.show()["motors"][0]["direction"] == "brake"
     assert device.parameters.values.pending == ((ParameterKey.SERIAL_TIMEOUT, 9),)
     assert ports.preferred == ports.find("/dev/ttyUSB1")
-    window.wait(lambda: any("Reconnected to /dev/ttyUSB1." in m for m in logged))
+    window.wait(lambda: any("Reconnected to /dev/ttyUSB1." in text for text in logged))
     device.parameters.discard_edits()
 
-    # Too quickly for a change of the port list:
+    # The adapter returns before the port list changes.
     board.do("line unplug")
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     board.do("line plug")
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     window.wait(lambda: "Reconnected to /dev/ttyUSB1. No motor was started." in logged)
 
-    # A listed port that does not work gets one attempt, and the next after it was unplugged.
+    # A listed port that cannot be opened is tried again only after it was unplugged.
     board.do("line unplug")
     window.wait_for_text("bannerText", "There is no port /dev/ttyUSB1.")
     listed.clear()
@@ -144,10 +144,10 @@ def test_window_reconnects_to_the_same_adapter_only(
     board.do("line plug")
     listed.append(adapter("/dev/ttyUSB1", "A500001"))
     window.wait(lambda: not window.has("bannerText"))
-    assert device.link is ConnectionState.DISCONNECTED, "only the message is over"
+    assert device.link is ConnectionState.DISCONNECTED, "only the message disappears"
 
 
-def test_adapter_that_was_named_at_the_start_is_found_again(
+def test_window_reconnects_to_port_of_the_command_line(
     window: WindowDriver, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     board, device = quick_simulator, window.device
@@ -168,7 +168,7 @@ def test_adapter_that_was_named_at_the_start_is_found_again(
 CRC = 0x25  # 19200 baud with CRC-7
 
 
-def test_noisy_line_is_named_and_crc_is_set_up(
+def test_noisy_line_is_reported_and_crc_is_set_up(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     device = window.device
@@ -205,7 +205,7 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     window.wait(lambda: device.parameters.values.stored.get("uart_settings") == CRC)
     review.root.close()
     window.click("setUpCrcButton")
-    assert window.find(QDialog, "powerCycleDialog").isVisible(), "what is left to do"
+    assert window.find(QDialog, "powerCycleDialog").isVisible(), "only the power cycle is left"
     quick_simulator.do("power off")
     window.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
     assert window.text("qualityLabel") == ""

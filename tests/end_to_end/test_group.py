@@ -1,9 +1,9 @@
-"""Two boards driven as one robot: joined, driven, stopped, one board lost."""
+"""Two boards that are driven as one robot."""
 
 import pytest
 
-from tests.end_to_end.test_boards_on_one_line import connect, rows
-from tests.support.pages.motors import MotorsPage
+from tests.end_to_end.test_boards_on_one_line import connect, find_boards, rows
+from tests.support.pages.motors import MotorsPage, signed_speeds
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
@@ -18,9 +18,7 @@ def boards(window: WindowDriver, start_simulator: StartSimulator) -> VirtualSimu
     started = start_simulator("--unpaced", "--device", "7", "--device", "9:trexjr")
     assert isinstance(started, VirtualSimulator)
     connect(window, started.url, 7)
-    window.trigger("boards")
-    window.wait(lambda: window.has("boardsProgress"))
-    window.wait(lambda: not window.has("boardsProgress"))
+    find_boards(window)
     window.click("groupButton")
     dialog = window.dialog("groupDialog")
     dialog.combo("wheel72Side").setCurrentIndex(0)
@@ -31,9 +29,7 @@ def boards(window: WindowDriver, start_simulator: StartSimulator) -> VirtualSimu
 
 
 def speeds(boards: VirtualSimulator) -> list[int]:
-    motors = [motor for name in ("@7", "@9") for motor in boards.show(name)["motors"]]
-    signs = {"forward": 1, "reverse": -1, "brake": 0}
-    return [signs[one["direction"]] * one["speed"] for one in motors]
+    return [*signed_speeds(boards, "@7"), *signed_speeds(boards, "@9")]
 
 
 def test_two_boards_are_driven_with_one_pad(window: WindowDriver, boards: VirtualSimulator) -> None:
@@ -46,7 +42,7 @@ def test_two_boards_are_driven_with_one_pad(window: WindowDriver, boards: Virtua
     window.wait(lambda: not window.device.may_move)
 
 
-def test_board_that_is_lost_stops_the_other_and_is_named(
+def test_lost_board_stops_the_other_and_is_named(
     window: WindowDriver, boards: VirtualSimulator
 ) -> None:
     page = MotorsPage(window, boards)
@@ -69,7 +65,7 @@ def test_board_that_is_lost_stops_the_other_and_is_named(
     assert not window.has("groupCards")
 
 
-def test_board_that_returns_to_its_channels_is_named(
+def test_board_that_leaves_serial_control_is_named(
     window: WindowDriver, boards: VirtualSimulator
 ) -> None:
     MotorsPage(window, boards).arm()
@@ -80,7 +76,7 @@ def test_board_that_returns_to_its_channels_is_named(
     assert window.motors.stop_reason.startswith("Board 9: Serial commands no longer reach")
 
 
-def test_group_is_left_where_no_other_board_was_sought(
+def test_group_can_be_left_without_a_scan_for_boards(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
     line = start_simulator("--unpaced", "--device", "7", "--device", "9")
@@ -94,7 +90,7 @@ def test_group_is_left_where_no_other_board_was_sought(
     assert not window.has("groupCards")
 
 
-def test_group_that_lacks_a_board_can_be_left(
+def test_group_without_one_board_can_be_left(
     window: WindowDriver, boards: VirtualSimulator
 ) -> None:
     window.disconnect()

@@ -1,4 +1,4 @@
-"""F1 opens help for the page or dialog in front, and messages link to their help."""
+"""F1 opens the help on the page or dialog in front. Messages link to their help."""
 
 import re
 from pathlib import Path
@@ -27,7 +27,7 @@ def topic_shown(window: WindowDriver) -> str:
 
 
 def press_f1(window: WindowDriver, widget: QWidget) -> str:
-    """Press F1 in a window. Return the shown topic, and close the help."""
+    """Press F1 in a window and close the help again. Return the topic of the help."""
     widget.activateWindow()
     window.wait(widget.window().isActiveWindow)
     QTest.keyClick(widget.window().windowHandle(), Qt.Key.Key_F1)
@@ -38,8 +38,8 @@ def press_f1(window: WindowDriver, widget: QWidget) -> str:
     return topic
 
 
-def test_topics_exist() -> None:
-    anchors = {one.topic for page in pages() for one in page.sections}
+def test_each_help_topic_exists() -> None:
+    anchors = {section.topic for page in pages() for section in page.sections}
     names = {page.name for page in pages()}
     for topic in (*trex.TOPICS.values(), *aracna.TOPICS.values(), *HELP_TOPICS.values()):
         assert topic in names | anchors, topic
@@ -47,10 +47,9 @@ def test_topics_exist() -> None:
 
 def test_f1_opens_help_on_each_page(window: WindowDriver) -> None:
     assert window.action("help").shortcut().toString() == "F1"
-    spaces = window.program.workspaces
     for key, topics in (("trex", trex.TOPICS), ("aracna", aracna.TOPICS)):
         window.program.device_manager.switch_to(key, lambda: None)
-        spaces[key].create_pages()
+        window.program.workspaces[key].create_pages()
         for page in window.each_page():
             name = page.objectName().removesuffix("Area")
             assert press_f1(window, window.window) == topics[name], name
@@ -75,7 +74,7 @@ def test_f1_opens_help_on_the_window_in_front(
     assert press_f1(window, window.find(QDialog, "checkDialog")) == "lost_settings.md"
 
 
-def test_every_dialog_has_a_topic() -> None:
+def test_every_dialog_has_a_help_topic() -> None:
     sources = [
         path.read_text(encoding="utf-8") for path in Path(trex_gui.__file__).parent.rglob("*.py")
     ]
@@ -99,7 +98,7 @@ def test_message_with_a_code_offers_its_help(connected_window: WindowDriver) -> 
 
 
 def check_log(window: WindowDriver, key: str, code: ErrorCode | RobotErrorCode, topic: str) -> None:
-    """Log two messages, and check that the message with a code is explained."""
+    """Log two messages. Check that the help explains the message with a code."""
     log = window.program.workspaces[key].log
     window.program.workspaces[key].show_page("log")
     text = window.find(QPlainTextEdit, f"{key}Log")
@@ -114,7 +113,7 @@ def check_log(window: WindowDriver, key: str, code: ErrorCode | RobotErrorCode, 
     assert not window.is_enabled(f"{key}LogHelp")
 
 
-def test_help_without_a_board(window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_help_opens_without_a_board(window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> None:
     window.find(QWidget, "startFind").setFocus()
     assert press_f1(window, window.window) == "first_steps.md"
     window.trigger("line")
@@ -138,21 +137,23 @@ def test_help_without_a_board(window: WindowDriver, monkeypatch: pytest.MonkeyPa
 
     window.trigger("help")
     window.wait(window.help.isVisible)
-    assert window.help.windowHandle().transientParent() is None  # else in front on Windows
+    assert (
+        window.help.windowHandle().transientParent() is None
+    )  # Windows would keep a child window in front
     window.window.close()
-    assert not window.help.isVisible(), "it ends with the window"
+    assert not window.help.isVisible(), "it closes with the window"
 
 
 def test_keys_page_lists_every_shortcut(window: WindowDriver) -> None:
     window.program.workspaces  # noqa: B018 - creates the menus of both devices
     (page,) = (page for page in pages() if page.name == "window.md")
-    written, count = page.text, 0
+    count = 0
     for menu in window.window.menuBar().findChildren(QMenu):
         for action in menu.actions():
             keys = action.shortcut().toString()
             if keys:
                 count += 1
                 title = action.text().replace("&", "").removesuffix("…")
-                assert keys in written, keys
-                assert title in written, title
+                assert keys in page.text, keys
+                assert title in page.text, title
     assert count > 30

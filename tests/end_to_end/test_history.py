@@ -1,4 +1,4 @@
-"""History and notes of a board's settings: saved, compared, restored."""
+"""History of a board's settings, and notes about settings."""
 
 from datetime import timedelta
 from pathlib import Path
@@ -98,7 +98,7 @@ def test_edits_count_as_current_settings(connected_window: WindowDriver) -> None
     }
 
 
-def test_snapshot_of_another_board_shows_a_note(
+def test_snapshot_of_another_board_shows_a_warning(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     history = window.device.writer.history
@@ -155,12 +155,12 @@ NOTE = "The radio drops out\nbehind the barn."
 KEY = "serial_timeout"
 
 
-def settle(window: WindowDriver) -> None:
+def wait_for_records(window: WindowDriver) -> None:
     window.wait(lambda: window.device.board.memory.record is not None)
     window.wait(lambda: window.device.records.files.is_idle)
 
 
-def test_note_is_typed_and_kept_wherever_the_value_goes(
+def test_note_is_saved_wherever_its_value_is_saved(
     window: WindowDriver,
     quick_simulator: SimulatedDevice,
     start_simulator: StartSimulator,
@@ -168,7 +168,7 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
 ) -> None:
     other, draft = start_simulator("--device", "9"), window.device.draft
     window.connect(quick_simulator.url)
-    settle(window)
+    wait_for_records(window)
     window.open_page("parametersPage")
     window.find(ParametersPage, "parametersPage").table.show_parameter(KEY)
     field = window.find(NoteField, "noteEdit")
@@ -176,7 +176,7 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     QTest.keyClicks(field, "The radio drops out\r behind the barn. ")
     assert draft.notes.of(KEY) == NOTE
     window.trigger("undo")
-    assert not field.toPlainText(), "what is typed at once is one step"
+    assert not field.toPlainText(), "continuous typing is one step"
     window.trigger("redo")
     assert field.toPlainText() == NOTE
     assert draft.pending == 0, "a note needs no Apply"
@@ -205,11 +205,11 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     window.device.parameters.edit("device_number", 12)
     with window.qtbot.waitSignal(window.device.records.files.replaced):
         window.device.writer.apply()
-    (aside,) = number_12.parent.glob("*.replaced-1.txt")
-    assert aside.read_text(encoding="utf-8") == "of another board"
+    (replaced,) = number_12.parent.glob("*.replaced-1.txt")
+    assert replaced.read_text(encoding="utf-8") == "of another board"
     window.disconnect()
     window.connect(other.url)
-    settle(window)
+    wait_for_records(window)
     assert not field.toPlainText(), "another board"
     draft.undo.undo()
     assert not draft.notes.all
@@ -221,15 +221,15 @@ def test_note_is_typed_and_kept_wherever_the_value_goes(
     assert draft.notes.all == {KEY: NOTE}
     window.disconnect()
     window.connect(quick_simulator.url)
-    settle(window)
-    assert field.toPlainText() == NOTE, "kept under the new number"
+    wait_for_records(window)
+    assert field.toPlainText() == NOTE, "saved under the new number"
 
 
 def test_calibrations_have_notes_on_page_and_in_editor(
     window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     window.connect(quick_simulator.url)
-    settle(window)
+    wait_for_records(window)
     page = window.open_page("channelsPage")
     page.click("channel2Strip")
     field = page.find(NoteField, "channelNoteEdit")
@@ -238,7 +238,7 @@ def test_calibrations_have_notes_on_page_and_in_editor(
     notes = window.device.draft.notes
     assert notes.all == {"rc_channel_2": "Learned with the new stick."}
     page.find(QTabBar, "sourceTabs").setCurrentIndex(1)
-    assert not field.toPlainText(), "each input source has its own"
+    assert not field.toPlainText(), "each input source has its own note"
     page.find(QTabBar, "sourceTabs").setCurrentIndex(0)
     assert field.toPlainText() == notes.of("rc_channel_2")
 

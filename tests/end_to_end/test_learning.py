@@ -1,6 +1,6 @@
 """Calibration of a simulated board's channels, by learning or by dragging.
 
-See `test_learning_dialog.py` and `test_calibration_page.py` of the views for details.
+`test_learning_dialog.py` and `test_channels_page.py` of the views show the details.
 """
 
 from collections.abc import Callable
@@ -58,7 +58,7 @@ def test_all_channels_are_learned_and_tested(
     check_keyboard(learning.dialog)
     learning.dialog.activateWindow()
     learning.wait(lambda: learning.button("learnNextButton").hasFocus())
-    for _ in range(2):  # Next becomes disabled, and Cancel does not get the focus
+    for _ in range(2):  # the first press disables Next, and must not move the focus to Cancel
         QTest.keyClick(learning.dialog.windowHandle(), Qt.Key.Key_Return)
     learning.wait_for_note("forward or right first")
     check_keyboard(learning.dialog)
@@ -76,7 +76,9 @@ def test_all_channels_are_learned_and_tested(
     # The test starts automatically.
     learning.wait_for_note("Push every stick")
     check_keyboard(learning.dialog)
-    assert not connected_window.find(QDialog, "reviewDialog").isVisible(), "its result is read"
+    assert not connected_window.find(QDialog, "reviewDialog").isVisible(), (
+        "the review closes after writing"
+    )
     assert learning.device.draft.pending == 0
     for channel in CHANNELS:
         learning.assert_learned(channel)
@@ -94,7 +96,7 @@ def test_all_channels_are_learned_and_tested(
 def test_safe_start_ends_at_the_learned_rest_positions(
     connected_window: WindowDriver, learning: LearningDialog
 ) -> None:
-    """With default calibrations, safe-start would never end with these sticks."""
+    """With these sticks and default calibrations, safe-start would never end."""
     show = learning.simulator.show
     learning.use({1: Stick(rest=1600), 2: Stick(rest=1420), 3: Stick(rest=1100, low=1100)})
     start_in(learning, "rc")
@@ -115,14 +117,14 @@ def test_safe_start_ends_at_the_learned_rest_positions(
     learning.wait(lambda: show()["safe_start"] is False)
     assert show()["aux"]["speed"] == 0
 
-    # A lowered throttle trim is no command for full speed.
-    for beyond, most in ((60, 10), (100, 25)):
-        learning.simulator.do(f"channel 3 {1100 - beyond}us")
+    # A lowered throttle trim does not drive the auxiliary at full speed.
+    for offset, max_speed in ((60, 10), (100, 25)):
+        learning.simulator.do(f"channel 3 {1100 - offset}us")
         learning.hold()
-        assert 0 < show()["aux"]["speed"] <= most
+        assert 0 < show()["aux"]["speed"] <= max_speed
 
 
-def test_reviewed_values_are_kept_when_learning_is_reopened(
+def test_learned_values_remain_when_the_dialog_is_reopened(
     connected_window: WindowDriver, learning: LearningDialog
 ) -> None:
     learning.use({1: Stick()})

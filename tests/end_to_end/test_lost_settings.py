@@ -1,4 +1,4 @@
-"""Lost settings and unapplied edits are offered again."""
+"""The program offers to restore lost settings and unapplied edits."""
 
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
 
 
-def asked(window: WindowDriver) -> str:
+def question_text(window: WindowDriver) -> str:
     return window.window.question.text
 
 
@@ -24,34 +24,31 @@ def reconnect(window: WindowDriver, url: str) -> None:
     window.wait(lambda: window.device.records.files.is_idle)
 
 
-def test_settings_that_a_board_lost_are_shown_and_restored(
+def test_lost_settings_of_a_board_are_shown_and_restored(
     window: WindowDriver, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
 ) -> None:
-    lost = start_simulator()  # looks like the same board with lost settings
+    lost = start_simulator()  # like the same board after it lost its settings
     window.connect(quick_simulator.url)
-    assert not asked(window), "nothing was applied yet"
+    assert not question_text(window), "nothing was applied yet"
     window.apply(serial_timeout=15, motor1_acceleration=3)
     reconnect(window, quick_simulator.url)
-    assert not asked(window)
+    assert not question_text(window)
 
     reconnect(window, lost.url)
-    assert "of this TReX differ from the last applied values (20" in asked(window)
+    assert "of this TReX differ from the last applied values (20" in question_text(window)
     window.click("questionCancel")
     reconnect(window, lost.url)
     window.click("showDiffering")
     dialog = window.find(ChangesDialog, "loadSettingsDialog")
-    assert {row.key for row in dialog.ticked} == {
-        "serial_timeout",
-        "motor1_acceleration",
-    }
+    assert {row.key for row in dialog.ticked} == {"serial_timeout", "motor1_acceleration"}
     window.click("takeChangesButton")
     window.apply()
     assert lost.show()["parameters"]["serial_timeout"] == 15
     reconnect(window, lost.url)
-    assert not asked(window)
+    assert not question_text(window)
 
 
-def test_snapshots_keep_the_calibrations_that_the_board_hides(
+def test_snapshot_includes_calibrations_that_the_board_hides(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode analog")
@@ -72,54 +69,47 @@ TREX = device_table().model("trex")
 BOARD = BoardIdentity(TREX, "1.2", 7)
 
 
-def saved() -> dict[str, int]:
-    found = EditFiles().load(BOARD)
-    return {} if found is None else dict(found.settings.parameters)
+def saved_edits() -> dict[str, int]:
+    saved = EditFiles().load(BOARD)
+    return {} if saved is None else dict(saved.settings.parameters)
 
 
-@pytest.fixture
-def crashed() -> None:
-    """Crash the program with two edits."""
-    edits = Settings(TREX, "1.2", {"serial_timeout": 15, "motor1_acceleration": 3})
-    EditFiles().save(BOARD, edits)
-
-
-@pytest.mark.usefixtures("crashed")
 def test_edits_of_a_crashed_run_are_offered_and_restored(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
+    edits = {"serial_timeout": 15, "motor1_acceleration": 3}
+    EditFiles().save(BOARD, Settings(TREX, "1.2", edits))
     window.connect(quick_simulator.url)
-    window.wait(lambda: asked(window))
-    assert asked(window).startswith("Edited earlier but not applied: 2 settings of this TReX (")
+    window.wait(lambda: question_text(window))
+    assert question_text(window).startswith(
+        "Edited earlier but not applied: 2 settings of this TReX ("
+    )
     window.click("questionCancel")
     assert window.device.draft.pending == 0
 
     window.disconnect()
     window.connect(quick_simulator.url)
-    window.wait(lambda: asked(window))
+    window.wait(lambda: question_text(window))
     window.click("restoreEdits")
-    assert not asked(window)
-    assert dict(window.device.parameters.values.pending) == {
-        "serial_timeout": 15,
-        "motor1_acceleration": 3,
-    }
+    assert not question_text(window)
+    assert dict(window.device.parameters.values.pending) == edits
     assert window.is_enabled("applyButton")
 
 
 @pytest.mark.parametrize(
-    ("answer", "kept"), [("keepAndClose", {"serial_timeout": 15}), ("closeYes", {})]
+    ("button", "saved"), [("keepAndClose", {"serial_timeout": 15}), ("closeYes", {})]
 )
-def test_closing_keeps_or_discards_edits(
-    connected_window: WindowDriver, answer: str, kept: dict[str, int]
+def test_closing_saves_or_discards_edits(
+    connected_window: WindowDriver, button: str, saved: dict[str, int]
 ) -> None:
     connected_window.device.parameters.edit("serial_timeout", 15)
     assert not connected_window.window.close()
-    connected_window.click(answer)
+    connected_window.click(button)
     assert not connected_window.window.isVisible()
-    assert saved() == kept
+    assert saved_edits() == saved
 
 
-def test_edits_made_after_closing_was_given_up_are_kept(
+def test_edits_after_cancelled_closing_are_saved(
     connected_window: WindowDriver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window, workspace = connected_window, trex(connected_window.program).workspace
@@ -131,7 +121,7 @@ def test_edits_made_after_closing_was_given_up_are_kept(
     window.device.parameters.edit("serial_timeout", 20)
     window.program.device_manager.shut_down()
     assert window.program.shut_down()
-    assert saved() == {"serial_timeout": 20}, "also if the program is ended from outside"
+    assert saved_edits() == {"serial_timeout": 20}, "the program was ended from outside"
     workspace.prepare_to_close()
     workspace.finish()
-    assert saved() == {"serial_timeout": 20}
+    assert saved_edits() == {"serial_timeout": 20}

@@ -18,7 +18,7 @@ SMALL = QSize(1024, 600)
 FRAME = QSize(16, 48)
 
 
-def test_windows_fit_a_small_screen_in_large_fonts(
+def test_windows_with_large_fonts_fit_a_small_screen(
     monkeypatch: pytest.MonkeyPatch, window: WindowDriver
 ) -> None:
     monkeypatch.setattr(QScreen, "availableGeometry", lambda _: QRect(QPoint(), SMALL))

@@ -1,7 +1,7 @@
 """Main tasks with real threads, a real port and a board in a separate process.
 
-Tests in virtual time with the same page objects cover the details. `tests/fault_matrix` and the
-soak test cover faults of real ports.
+Tests in virtual time cover the details. `tests/fault_matrix` and the soak test cover faults of real
+ports.
 """
 
 import sys

@@ -1,4 +1,4 @@
-"""A session is recorded, and its recording is opened without the board."""
+"""Recording of sessions, and opening of recordings without a board."""
 
 from pathlib import Path
 
@@ -18,12 +18,6 @@ def indicator(window: WindowDriver) -> RecordIndicator:
     return window.find(RecordIndicator, "recordIndicator")
 
 
-def wait_for_samples(window: WindowDriver, count: int) -> None:
-    telemetry = window.device.telemetry
-    before = telemetry.samples
-    window.wait(lambda: telemetry.samples > before + count)
-
-
 def test_session_is_recorded_and_opened_without_a_board(
     connected_window: WindowDriver, tmp_path: Path
 ) -> None:
@@ -38,7 +32,8 @@ def test_session_is_recorded_and_opened_without_a_board(
         assert indicator(window).isVisible()
         assert "Recording" in indicator(window).accessibleName()
     assert window.action("record").text() == "Stop &recording"
-    wait_for_samples(window, 300)
+    count = window.device.telemetry.samples
+    window.wait(lambda: window.device.telemetry.samples > count + 300)
     with window.qtbot.waitSignal(recordings.recorder.ended, timeout=20_000):
         window.click("stopRecordingButton")
     assert not indicator(window).isVisible()
@@ -62,11 +57,11 @@ def test_session_is_recorded_and_opened_without_a_board(
     assert recordings.windows == []
 
 
-def test_recording_dropped_onto_window_opens_unless_it_is_none(
+def test_dropped_recording_opens_and_other_file_is_rejected(
     window: WindowDriver, tmp_path: Path
 ) -> None:
     path = tmp_path / "none.trexrec"
-    path.write_text("nothing of the kind")
+    path.write_text("no recording")
     assert window.drop(path)
     window.wait_for_files()
     assert "none.trexrec: This is not a TReX Studio recording" in window.text("bannerText")
@@ -109,7 +104,7 @@ def test_arming_starts_recording_and_stop_saves_it(
     window.trigger("record_with_run")
     window.trigger("run")
     window.wait(lambda: recorder.recording)
-    window.trigger("record")  # ends the recording; motors still run
+    window.trigger("record")  # ends the recording while the motors are armed
     window.wait(lambda: recorder.can_record)
     assert motors.armed
     window.trigger("record_with_run")
@@ -123,11 +118,11 @@ def test_arming_starts_recording_and_stop_saves_it(
         assert not recorder.recording, "the option is off"
     (log,) = [entry.text for entry in workspace.log.entries if "were saved" in entry.text]
     assert log.startswith("The seconds around “Stop” were saved.")
-    assert "were saved" not in window.text("bannerText"), "it might cover a warning"
+    assert "were saved" not in window.text("bannerText"), "it would cover a warning"
 
     def select(*arguments: object) -> tuple[str, str]:
-        (kept,) = Path(str(arguments[2])).iterdir()
-        return str(kept), ""
+        (saved,) = Path(str(arguments[2])).iterdir()
+        return str(saved), ""
 
     monkeypatch.setattr(QFileDialog, "getOpenFileName", select)
     window.trigger("open_kept")

@@ -1,4 +1,4 @@
-"""A reopened dialog looks new, even for Enter and the focus."""
+"""A reopened dialog has the same default button and focus as a new dialog."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,7 +14,7 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 
 def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
-    """Return the functions that open the dialogs, by dialog name."""
+    """Return the name of each reused dialog → function that opens it."""
     return {
         "benchDialog": lambda: window.trigger("bench"),
         "findDialog": lambda: window.click("findButton"),
@@ -28,7 +28,7 @@ def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
 
 
 def enter_and_focus(dialog: QDialog) -> tuple[list[str], str]:
-    """Return the buttons that Enter presses, and the focused widget."""
+    """Return the names of the default buttons and of the focused widget."""
     defaults = [each.objectName() for each in dialog.findChildren(QPushButton) if each.isDefault()]
     focused = dialog.focusWidget()
     return defaults, focused.objectName() if focused is not None else ""
@@ -38,8 +38,8 @@ def test_reopened_dialog_has_the_same_default_and_focus(connected_window: Window
     window = connected_window
     window.open_page("motorsPage")
     window.device.parameters.edit("serial_timeout", 9)
-    opens = openers(window)
-    for name, open_dialog in opens.items():
+    functions = openers(window)
+    for name, open_dialog in functions.items():
         open_dialog()
         dialog = window.help if name == "helpDialog" else window.find(QDialog, name)
         assert isinstance(dialog, ReusedDialog), name
@@ -58,10 +58,10 @@ def test_reopened_dialog_has_the_same_default_and_focus(connected_window: Window
             assert enter_and_focus(dialog) == first, (name, button.objectName())
         dialog.close()
     dialogs = {each.objectName() for each in window.find_all(QDialog)}
-    assert dialogs == opens.keys() - {"helpDialog"}
+    assert dialogs == functions.keys() - {"helpDialog"}
 
 
-def test_line_settings_are_used_once_they_are_accepted(window: WindowDriver) -> None:
+def test_line_settings_apply_once_they_are_accepted(window: WindowDriver) -> None:
     controller = trex(window.program).controller
     for accepted in (False, True):
         window.trigger("line")
@@ -96,8 +96,8 @@ def test_line_settings_are_used_once_they_are_accepted(window: WindowDriver) -> 
 
     # The dialog shows newly stored values.
     window.trigger("line")
-    found = replace(controller.settings, device_number=9, polynomial=0x85)
-    controller.set_settings(found)
+    changed = replace(controller.settings, device_number=9, polynomial=0x85)
+    controller.set_settings(changed)
     QTest.keyClick(window.dialog("lineSettingsDialog").root, Qt.Key.Key_Return)
     window.wait(lambda: not window.has("lineSettingsDialog"))
-    assert controller.settings == found
+    assert controller.settings == changed

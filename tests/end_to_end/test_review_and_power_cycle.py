@@ -1,4 +1,4 @@
-"""Review of settings before they are written, and until they are active."""
+"""Review of settings before they are written, and power cycle until they are active."""
 
 from pathlib import Path
 
@@ -45,7 +45,7 @@ def edit(window: WindowDriver, **values: int) -> None:
         window.device.parameters.edit(key, value)
 
 
-def found(window: WindowDriver) -> tuple[LintFinding, ...]:
+def findings(window: WindowDriver) -> tuple[LintFinding, ...]:
     """Return the findings about the edited settings."""
     return window.find_only(BoardLinter).findings
 
@@ -107,10 +107,10 @@ def test_review_reports_stored_and_failed_settings(
     assert review.button("reviewCloseButton").text() == "Close"
     assert review.root.focusWidget() is review.button("reviewCloseButton")
     assert not review.has("writeButton")
-    assert not review.has("powerCyclePanel"), "the timeout is active at once"
+    assert not review.has("powerCyclePanel"), "a new timeout is active at once"
 
     edit(window, serial_timeout=14)
-    review.open()  # it is still open
+    review.open()  # it is open already
     focused: object = review.root.focusWidget()  # `None` is possible, against Qt's stubs
     QTest.keyClick(focused if isinstance(focused, QWidget) else review.root, Qt.Key.Key_Return)
     review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.writer.running)
@@ -134,13 +134,13 @@ def test_review_reports_stored_and_failed_settings(
     assert "in serial mode only" in review.head
     review.click("writeButton")
     review.wait_for_text("reviewHead", "could not be verified")
-    untried, refused = sorted((row[-1] for row in review.rows()), key=len)
-    assert "not in serial mode" in refused
-    assert untried == "not attempted"
+    not_attempted, rejected = sorted((row[-1] for row in review.rows()), key=len)
+    assert "not in serial mode" in rejected
+    assert not_attempted == "not attempted"
     assert device.draft.pending == 2
 
 
-def test_board_decides_about_values_beyond_inferred_limits(
+def test_board_decides_on_values_beyond_inferred_limits(
     connected_window: WindowDriver,
     review: ReviewDialog,
     simulator: VirtualSimulator,
@@ -160,7 +160,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
         review.open()
         review.click("writeButton")
         assert review.text("questionText").startswith("Ignored Channels 63: beyond a limit")
-        assert stored(simulator, key) == 0, "a question comes first"
+        assert stored(simulator, key) == 0, "the question comes before the write"
         review.click("writeAnyway")
         review.wait(
             lambda: not device.writer.running and len(review.rows()[0]) == len(ComparisonColumn)
@@ -171,7 +171,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
     review.click("writeButton")
     check_keyboard(review.root)
     review.toggle("Ignored Channels")
-    assert not review.has("writeAnyway"), "the question is about what is written"
+    assert not review.has("writeAnyway"), "the question disappears with its setting"
     review.close()
 
     write_anyway()
@@ -199,7 +199,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
 # --- The power cycle --------------------------------------------------------------------
 
 
-def test_power_cycle_is_followed_until_settings_are_active(
+def test_power_cycle_is_tracked_until_settings_are_active(
     connected_window: WindowDriver, review: ReviewDialog, power: SimulatedPower
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -211,7 +211,7 @@ def test_power_cycle_is_followed_until_settings_are_active(
     assert "Waiting for the board to stop responding" in review.text("powerCycleResult")
     window.trigger("power")
     window.click("powerCycleCloseButton")
-    assert "Waiting for the board to stop responding" in review.text("powerCycleResult"), "still"
+    assert "Waiting for the board to stop responding" in review.text("powerCycleResult")
     review.wait_for_text("powerCycleResult", "A short interruption is not detected")
     power.off()
     review.wait_for_text("powerCycleResult", "Waiting for it to respond again")
@@ -275,7 +275,7 @@ def test_defaults_are_edits_only_while_they_are_reviewed(
     edit(window, motor2_acceleration=9)
     window.trigger("defaults")
     assert [row[0] for row in review.rows()] == ["Serial Timeout", "Motor 1 Acceleration"]
-    assert "serial_timeout" in [key for one in found(window) for key in one.keys]
+    assert "serial_timeout" in [key for finding in findings(window) for key in finding.keys]
     review.close()
     assert device.parameters.values.pending == (("motor2_acceleration", 9),)
 
@@ -284,7 +284,7 @@ def test_defaults_are_edits_only_while_they_are_reviewed(
     review.click("writeButton")
     review.wait(lambda: stored(simulator, "motor1_acceleration") == 0 and not device.writer.running)
     assert stored(simulator, "serial_timeout") == 15
-    assert device.draft.pending == 0, "what was left out is no edit, and the earlier one is gone"
+    assert device.draft.pending == 0, "no edit is left, not even the earlier edit"
 
 
 def test_pending_reset_blocks_writing_until_power_cycle(
@@ -301,7 +301,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     window.trigger("defaults")
     review.click("boardResetButton")
     assert review.button("questionCancel").hasFocus()
-    QTest.mouseClick(review.button("boardResetSureButton"), LEFT)  # it is under the pointer
+    QTest.mouseClick(review.button("boardResetSureButton"), LEFT)  # too early after it has appeared
     assert review.has("boardResetSureButton")
     assert not device.draft.reset_pending
     review.click("boardResetSureButton")
@@ -332,7 +332,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     review.close()
 
 
-# --- Conflicting settings --------------------------------------------------------
+# --- Findings ---------------------------------------------------------------------------
 
 
 def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -> None:
@@ -345,7 +345,7 @@ def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -
     assert window.device.parameters.values.value_of("serial_timeout") == 5
 
 
-def test_review_offers_findings_and_writes_what_is_accepted(
+def test_review_offers_findings_and_writes_accepted_values(
     connected_window: WindowDriver, quick_simulator: VirtualSimulator
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -359,8 +359,8 @@ def test_review_offers_findings_and_writes_what_is_accepted(
         "motor2_current_limit_p": 0,
     }.items():
         device.parameters.edit(key, wire)
-    (only,) = findings_of(window, "calibration")
-    assert only.startswith("Both required and ignored: channel 1.")
+    (finding,) = findings_of(window, "calibration")
+    assert finding.startswith("Both required and ignored: channel 1.")
     window.window.resize(1024, 600)
     accept = window.find(QPushButton, "calibrationAccept0")
     window.wait(lambda: accept.visibleRegion().boundingRect() == accept.rect())
@@ -377,7 +377,7 @@ def test_review_offers_findings_and_writes_what_is_accepted(
 
     review.click("reviewAccept0")
     review.wait(lambda: shows(gain2, ramp2, ignored))
-    assert "motor1_current_limit_p" not in review.values(), "the board stores that already"
+    assert "motor1_current_limit_p" not in review.values(), "the board stores this value already"
     review.click("reviewAccept1")
     assert review.values()["motor2_acceleration"] == ("no ramp", "1.3 s to full speed")
     review.toggle("Motor 2 Current Limit")
@@ -386,7 +386,7 @@ def test_review_offers_findings_and_writes_what_is_accepted(
     review.toggle("Motor 2 Acceleration")
     review.wait(lambda: shows(gain2, ramp2, ignored))
     review.click("reviewAccept1")
-    review.wait(lambda: shows(gain2, ignored))  # the edit will be written again
+    review.wait(lambda: shows(gain2, ignored))  # because the edit will be written again
 
     review.click("writeButton")
     review.wait_for_text("reviewHead", "written and verified")

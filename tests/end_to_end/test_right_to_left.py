@@ -34,21 +34,21 @@ def test_window_mirrors_no_painted_widget_slider_or_number(window: WindowDriver)
     assert window.root.layoutDirection() is Direction.RightToLeft
     for workspace in window.program.workspaces.values():
         workspace.create_pages()
-    window.connect_to_demo()  # the panel of the demo board has sliders
+    window.connect_to_demo()  # the demo panel has sliders
     kinds = Painted, LiveLabel, QSlider, QAbstractSpinBox
     widgets = [widget for widget in window.find_all(QWidget) if isinstance(widget, kinds)]
     assert len(widgets) > 50
     assert {DrivePad, SpeedSlider, JointSlider, WiringSketch, StickSlider} <= set(
         map(type, widgets)
     )
-    mirrored = [one for one in widgets if one.layoutDirection() is not Direction.LeftToRight]
+    mirrored = [each for each in widgets if each.layoutDirection() is not Direction.LeftToRight]
     assert not mirrored
 
 
-def picture(make: Callable[[QWidget], QWidget], direction: Direction) -> QImage:
+def picture(create: Callable[[QWidget], QWidget], direction: Direction) -> QImage:
     QApplication.setLayoutDirection(direction)
     parent = QWidget()
-    widget = make(parent)
+    widget = create(parent)
     widget.resize(300, 200)
     return widget.grab().toImage()
 
@@ -62,17 +62,15 @@ def plot(parent: QWidget) -> QWidget:
 
 
 @pytest.mark.usefixtures("_right_to_left")
-@pytest.mark.parametrize("make", [DrivePad, plot])
-def test_picture_is_the_same_in_both_directions(
-    make: Callable[[QWidget], QWidget],
-) -> None:
-    mirrored = picture(make, Direction.RightToLeft)
-    assert picture(make, Direction.LeftToRight) == mirrored
+@pytest.mark.parametrize("create", [DrivePad, plot])
+def test_picture_is_the_same_in_both_directions(create: Callable[[QWidget], QWidget]) -> None:
+    mirrored = picture(create, Direction.RightToLeft)
+    assert picture(create, Direction.LeftToRight) == mirrored
 
 
 @pytest.mark.usefixtures("_right_to_left")
 @pytest.mark.parametrize("x", [20, 230])
-def test_same_place_is_the_same_setpoint(qtbot: QtBot, x: int) -> None:
+def test_right_side_and_right_key_increase_the_setpoint(qtbot: QtBot, x: int) -> None:
     slider, pad = SpeedSlider(0), DrivePad()
     turns = []
     pad.steered.connect(lambda _forward, turn: turns.append(turn))

@@ -1,4 +1,4 @@
-"""A settings file written to a board and read back is identical."""
+"""A settings file that is written to a board and read back is unchanged."""
 
 import re
 from collections.abc import Callable
@@ -40,8 +40,8 @@ class CommandLineBoard:
         self._simulator.do("factory")
         self._options = ["--port", self._simulator.url]
 
-    def run(self, *words: str) -> Result:
-        command = VirtualCommand(self._runtime, [*words, *self._options], {})
+    def run(self, *arguments: str) -> Result:
+        command = VirtualCommand(self._runtime, [*arguments, *self._options], {})
         command.wait()
         result = command.result
         assert result.exit_code == 0, result.stderr
@@ -57,10 +57,10 @@ class CommandLineBoard:
         return path.read_bytes()
 
     def write(self, data: bytes) -> None:
-        """Write a settings file to the board and power-cycle the board.
+        """Write a settings file to the board and power-cycle it.
 
-        Repeat this if the input source changes: the board only accepts calibrations of the active
-        source.
+        Write the file again if the input source has changed, because the board accepts only
+        calibrations of the active source.
         """
         path = self._folder / "written.txt"
         path.write_bytes(data)
@@ -81,11 +81,11 @@ StartBoard = Callable[[str, str], CommandLineBoard]
 def start_board(
     start_simulator: StartSimulator, virtual_time: VirtualRuntime, tmp_path: Path
 ) -> StartBoard:
-    """Start a simulated board of a model and a firmware."""
+    """Function that starts a simulated board of a model and a firmware."""
 
     def start(model: str, firmware: str) -> CommandLineBoard:
-        words = ("--model", model, "--firmware", firmware, "--unpaced")
-        return CommandLineBoard(start_simulator(*words), virtual_time, tmp_path)
+        options = ("--model", model, "--firmware", firmware, "--unpaced")
+        return CommandLineBoard(start_simulator(*options), virtual_time, tmp_path)
 
     return start
 
@@ -111,7 +111,7 @@ def other_settings(model: str, firmware: str, *, analog: bool, line: LineSetting
 
 
 def round_trip(board: CommandLineBoard, data: bytes) -> bytes:
-    """Write a file and read it back, then repeat this on a reset board. Return the result."""
+    """Write a file and read it back, then write the result to a reset board. Return the result."""
     board.write(data)
     first = board.save()
     board.factory_reset()
@@ -126,8 +126,8 @@ def test_golden_file_survives_round_trip(
 ) -> None:
     golden = (GOLDEN / f"{model}-{firmware}.txt").read_bytes()
     saved = round_trip(start_board(model, firmware), golden)
-    shown = golden[: golden.index(b"\n# Calibrations for analog voltages")]
-    assert _TITLE.sub(b"", saved, count=1) == shown
+    expected = golden[: golden.index(b"\n# Calibrations for analog voltages")]
+    assert _TITLE.sub(b"", saved, count=1) == expected
 
 
 @pytest.mark.parametrize(
@@ -139,8 +139,8 @@ def test_non_default_settings_survive_round_trip(
     model: str, firmware: str, inputs: str, start_board: StartBoard
 ) -> None:
     line = LineSettings(57600, Detection.CRC7, 2)
-    wanted = other_settings(model, firmware, analog=inputs == "analog", line=line)
-    data = write_settings(wanted).encode()
+    settings = other_settings(model, firmware, analog=inputs == "analog", line=line)
+    data = write_settings(settings).encode()
     saved = round_trip(start_board(model, firmware), data)
     assert _TITLE.sub(b"", saved, count=1) == data
 
@@ -150,18 +150,18 @@ def test_baud_rate_halved_by_old_firmware_survives_round_trip(
     baud: int, start_board: StartBoard
 ) -> None:
     line = LineSettings(baud, stop_bits=2)
-    wanted = other_settings("trexjr", "1.1", analog=False, line=line)
-    data = write_settings(wanted).encode()
+    settings = other_settings("trexjr", "1.1", analog=False, line=line)
+    data = write_settings(settings).encode()
     assert _TITLE.sub(b"", round_trip(start_board("trexjr", "1.1"), data), count=1) == data
 
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_sample_settings_survive_round_trip(name: str, start_board: StartBoard) -> None:
     text = text_of(name)
-    wanted = read_settings(text)[0]
-    model, firmware = wanted.product.key, wanted.product.firmware[0]
+    settings = read_settings(text)[0]
+    model, firmware = settings.product.key, settings.product.firmware[0]
     saved, findings = read_settings(round_trip(start_board(model, firmware), text.encode()))
     assert findings == ()
-    assert saved.parameters.items() >= wanted.parameters.items()
+    assert saved.parameters.items() >= settings.parameters.items()
     assert saved.firmware == firmware
     assert saved.calibrations.items() <= factory(model, firmware).calibrations.items()

@@ -1,4 +1,4 @@
-"""Scan for a board with unknown line settings."""
+"""Scan for boards with unknown line settings."""
 
 import sys
 
@@ -51,7 +51,9 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert dialog.root.focusWidget() is dialog.find(QPushButton, "findCancelButton")
     assert not dialog.is_enabled("findStartButton")
     dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
-    at_115200 = [most for text, most in progress if text.startswith("Looking for TReX at 115200")]
+    at_115200 = [
+        maximum for text, maximum in progress if text.startswith("Looking for TReX at 115200")
+    ]
     assert set(at_115200) == {102}
     assert dialog.text("findText0").startswith(f"TReX 1.2, device 7 on {url} at 57600 baud.")
     dialog.wait_for_end()
@@ -61,7 +63,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert "search: get signature → TReX 1.2" in meanings
     assert "search: get signature → no reply" in meanings
     assert any(text.startswith("search: Set to 57600 baud") for text in meanings)
-    assert traffic.faults == 0, "that most probes have no reply is no fault"
+    assert traffic.faults == 0, "a probe without reply is no fault"
     check_keyboard(dialog.root)
     dialog.click("connectFound0")
     assert not dialog.root.isVisible()
@@ -70,8 +72,8 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert window.device.settings.line == LineSettings(57600)
     assert window.find(QToolButton, "lineButton").text() == "57600 baud"
     entries = window.device.board.errors.entries
-    window.wait(lambda: any(one.is_earlier for one in window.device.board.errors.entries))
-    assert not any(one.count for one in entries), "the search has latched them"
+    window.wait(lambda: any(entry.is_earlier for entry in window.device.board.errors.entries))
+    assert not any(entry.count for entry in entries), "the scan has latched the errors"
     assert all(motor["direction"] == "brake" for motor in quick_simulator.show()["motors"])
 
     window.click("findButton")
@@ -84,14 +86,16 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     dialog.click("findStartButton")
     dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
     dialog.wait_for_end()
-    assert not any("Looking for" in text for text, _ in progress), "where it was found before"
+    assert not any("Looking for" in text for text, _ in progress), (
+        "the board is found where it was before"
+    )
 
 
 @pytest.mark.slow
 @pytest.mark.realtime
 @pytest.mark.timeout(120)
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
-def test_board_with_parity_is_found_on_port_that_shows_parity(
+def test_board_with_parity_is_found_on_port_with_parity_errors(
     window: WindowDriver, dialog: FindBoardDialog, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced", "--rfc2217", "127.0.0.1:0")
@@ -130,7 +134,6 @@ def test_search_ends_when_cancelled_or_dialog_closes(
     window.window.close()
     assert not dialog.is_searching()
     assert not dialog.root.isVisible()
-    quick_simulator.do("power on")
 
 
 def test_failed_connection_offers_the_settings_of_the_board(
@@ -145,13 +148,11 @@ def test_failed_connection_offers_the_settings_of_the_board(
     window.click("bannerConnectWith")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert not window.has("bannerText")
-    assert controller.settings.line == EVEN, "remembered"
+    assert controller.settings.line == EVEN, "the settings are saved"
 
 
 def test_search_without_board_reports_why_none_was_found(
-    window: WindowDriver,
-    dialog: FindBoardDialog,
-    quick_simulator: SimulatedDevice,
+    window: WindowDriver, dialog: FindBoardDialog, quick_simulator: SimulatedDevice
 ) -> None:
     url = quick_simulator.url
     quick_simulator.do("power off")
@@ -161,9 +162,9 @@ def test_search_without_board_reports_why_none_was_found(
 
     dialog.root.close()
     window.click("bannerFind")
-    assert dialog.is_searching(), "at once"
+    assert dialog.is_searching(), "the scan starts at once"
     dialog.wait_for_end()
-    assert not dialog.has("findText1"), "no other port"
+    assert not dialog.has("findText1"), "no other port is scanned"
     assert dialog.text("findText0").startswith(f"No TReX responds on {url} at any")
     assert not dialog.has("connectFound0")
     assert dialog.text("findProgressText") == "No board was found."
@@ -173,4 +174,3 @@ def test_search_without_board_reports_why_none_was_found(
     dialog.wait_for_end()
     other.close()
     assert "is in use" in dialog.text("findText0")
-    quick_simulator.do("power on")

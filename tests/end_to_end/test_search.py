@@ -1,4 +1,4 @@
-"""*Search everything*: typed words, hits, and their actions."""
+"""*Search everything*: typed words, hits, and the actions of hits."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -19,7 +19,7 @@ class SearchDriver(WindowDriver):
         self.hits = hits
 
     def type(self, words: str) -> None:
-        self.window.activateWindow()  # offscreen, a closed list stays in front
+        self.window.activateWindow()  # a closed popup stays in front offscreen
         self.wait(self.window.isActiveWindow)
         self.trigger("search")
         QTest.keyClicks(self.hits, words)
@@ -62,7 +62,7 @@ def test_enter_opens_the_selected_hit(search: SearchDriver) -> None:
     assert search.help.isVisible()
 
 
-def test_without_words_the_pages_are_listed(search: SearchDriver) -> None:
+def test_empty_search_lists_the_pages(search: SearchDriver) -> None:
     search.type("")
     assert search.titles[:3] == ["Board", "Channels", "Motors"]
     search.press(DOWN)
@@ -70,7 +70,7 @@ def test_without_words_the_pages_are_listed(search: SearchDriver) -> None:
     assert search.page == "Channels"
 
 
-def test_escape_leaves_the_search_and_stops_only_what_may_move(search: SearchDriver) -> None:
+def test_escape_leaves_search_and_stops_armed_motors(search: SearchDriver) -> None:
     search.type("zeppelin")
     assert search.titles == ["Nothing was found."]
     with search.qtbot.assertNotEmitted(search.motors.stop_requested):

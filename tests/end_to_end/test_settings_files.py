@@ -1,4 +1,4 @@
-"""Opening and saving of settings files, with and without a board."""
+"""Settings files that are opened and saved, with and without a board."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -22,7 +22,7 @@ motor1_acceleration: 7
 rc_channel_2: {minimum: 2600, neutral: 3700, maximum: 4900, deadband: 60}
 """
 BAD = [bad for bad in BAD_FILES if bad.name in {"unknown", "latin", "empty", "binary", "huge"}]
-"""One of each kind; `model/settings/test_document.py` reads them all."""
+"""One file of each kind. `model/settings/test_document.py` reads all files."""
 
 ANALOG = "analog_channel_1: {minimum: 10, neutral: 500, maximum: 1000, deadband: 9}\n"
 
@@ -89,7 +89,7 @@ def test_checked_rows_become_edits(
     assert (stored.minimum, stored.deadband) == (2600, 60)
 
 
-def test_file_that_undoes_all_edits_leaves_nothing_to_write(
+def test_file_without_edits_leaves_nothing_to_write(
     connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -140,7 +140,7 @@ rc_channel_2: {minimum: 2600, neutral: 3700, maximum: 4900, deadband: 60}
 """
 
 
-def test_file_of_the_other_model_opens_with_what_was_converted(
+def test_file_of_another_model_is_converted_when_opened(
     connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -183,7 +183,7 @@ def test_file_of_the_other_model_opens_with_what_was_converted(
     files.files.close_all()
 
 
-def test_editor_compares_with_the_board_and_sends_to_it(
+def test_editor_compares_with_board_and_sends_to_board(
     connected_window: WindowDriver,
     files: SettingsFiles,
     quick_simulator: SimulatedDevice,
@@ -229,8 +229,8 @@ def test_saving_keeps_comments_and_asks_before_replacing(
     after = path.read_text(encoding="utf-8")
     assert after.startswith(text.replace("9  # for", "5  # for"))
     assert "motor_mode: 0" in after
-    kept = "Calibrations that the board does not show now stay in the file: analog."
-    assert kept in connected_window.text("bannerText")
+    message = "Calibrations that the board does not show now stay in the file: analog."
+    assert message in connected_window.text("bannerText")
 
     for text in ("Dear diary\n", "product: TReX Jr\n"):
         path.write_text(text, encoding="utf-8")
@@ -276,7 +276,7 @@ def test_file_is_opened_edited_saved_and_closed(
     assert not editor.action("Send").isEnabled()
     offline.files.open_file(rover)
     window.wait_for_files()
-    assert len(offline.files.editors) == 1, "it is open already"
+    assert len(offline.files.editors) == 1, "the file is open already"
 
     editor.edit("serial_timeout", 15)
     editor.action("Save").trigger()
@@ -334,7 +334,7 @@ def test_closing_the_program_asks_about_unsaved_files(
 
 
 def test_apply_and_undo_shortcuts_work_only_in_main_window(window: WindowDriver) -> None:
-    """Undo only affects its own window. Esc stops the motors in every window."""
+    """Undo affects only its own window, but Esc stops the motors in every window."""
     for key, context in (
         ("apply", Qt.ShortcutContext.WindowShortcut),
         ("undo", Qt.ShortcutContext.WindowShortcut),

@@ -1,4 +1,4 @@
-"""The window stays responsive with a slow disk, and no data is lost."""
+"""With a slow disk the window remains responsive, and no data is lost."""
 
 import errno
 import os
@@ -41,7 +41,7 @@ def stored(simulator: VirtualSimulator) -> int:
 
 @pytest.fixture
 def review(connected_window: WindowDriver, disk: SlowDisk) -> ReviewDialog:
-    """Review that writes one setting and is saving the snapshot."""
+    """Review after *Write*, while the snapshot is being saved."""
     del disk
     review = ReviewDialog(connected_window)
     connected_window.device.parameters.edit("serial_timeout", 15)
@@ -50,23 +50,23 @@ def review(connected_window: WindowDriver, disk: SlowDisk) -> ReviewDialog:
     return review
 
 
-def test_apply_begins_once_the_snapshot_is_saved(
+def test_apply_starts_once_the_snapshot_is_saved(
     connected_window: WindowDriver, review: ReviewDialog, quick_simulator: VirtualSimulator
 ) -> None:
-    device, begin = connected_window.device, now()
-    review.wait(lambda: now() > begin + SECONDS / 2)
+    device, start = connected_window.device, now()
+    review.wait(lambda: now() > start + SECONDS / 2)
     assert device.writer.running
     assert "Nothing is written yet" in review.head
     assert not connected_window.is_enabled("applyButton")
     assert stored(quick_simulator) == 0
     review.wait_for_text("reviewHead", "written and verified")
-    assert now() >= begin + SECONDS
+    assert now() >= start + SECONDS
     assert stored(quick_simulator) == 15
     (snapshot,) = device.writer.history.folder.iterdir()
     assert "serial_timeout: 0 " in snapshot.read_text(encoding="utf-8")
 
 
-def test_apply_is_cancelled_while_the_snapshot_is_saved(
+def test_apply_can_be_cancelled_while_snapshot_is_saved(
     connected_window: WindowDriver, review: ReviewDialog, quick_simulator: VirtualSimulator
 ) -> None:
     device = connected_window.device
@@ -87,10 +87,10 @@ def test_board_lost_during_snapshot_is_not_written(
     quick_simulator: VirtualSimulator,
     fault: str,
 ) -> None:
-    device, begin = connected_window.device, now()
+    device, start = connected_window.device, now()
     quick_simulator.do(fault)
     review.wait(lambda: not device.writer.running)
-    assert now() < begin + SECONDS, "the snapshot was saved first"
+    assert now() < start + SECONDS, "writing ends before the snapshot is saved"
     assert review.button("reviewCloseButton").text() == "Close"
     quick_simulator.do("line mute off" if "mute" in fault else "line plug")
     review.wait_for_files()
@@ -115,7 +115,7 @@ ROVER = "product: TReX\nserial_timeout: 5\n"
 
 @pytest.fixture
 def editor(window: WindowDriver, tmp_path: Path, disk: SlowDisk) -> Iterator[SettingsEditorWindow]:
-    """Window of a settings file with an edit."""
+    """Editor of a settings file with an unsaved edit."""
     del disk
     path = tmp_path / "rover.txt"
     path.write_text(ROVER, encoding="utf-8")
@@ -134,7 +134,7 @@ def text_of(editor: SettingsEditorWindow) -> str:
     return path.read_text(encoding="utf-8")
 
 
-def test_other_path_does_not_wait_for_a_save(editor: SettingsEditorWindow, tmp_path: Path) -> None:
+def test_save_to_other_path_overtakes_a_save(editor: SettingsEditorWindow, tmp_path: Path) -> None:
     other = tmp_path / "other.txt"
     editor.action("Save").trigger()  # reads the file first, so it ends later
     editor.editor.save_to(other)
@@ -143,7 +143,7 @@ def test_other_path_does_not_wait_for_a_save(editor: SettingsEditorWindow, tmp_p
     assert editor.document.path == other
 
 
-def test_closing_window_saves_first(
+def test_editor_is_closed_after_it_was_saved(
     editor: SettingsEditorWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     answer_questions(monkeypatch, QMessageBox.StandardButton.Save)
@@ -157,7 +157,7 @@ def test_closing_window_saves_first(
     assert "serial_timeout: 9" in path.read_text(encoding="utf-8")
 
 
-def test_window_that_could_not_save_stays_open(
+def test_editor_stays_open_after_a_failed_save(
     editor: SettingsEditorWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fail(_handle: int) -> None:
@@ -202,17 +202,17 @@ def test_settings_of_the_board_are_saved_before_the_program_closes(
     window.device.parameters.edit("serial_timeout", 15)
     window.wait_for_text("bannerText", "were saved in")
     assert "serial_timeout: 9" in path.read_text(encoding="utf-8")
-    assert window.window.isVisible(), "it was edited meanwhile"
+    assert window.window.isVisible(), "the setting was edited meanwhile"
     window.click("saveAndClose")
     window.wait(lambda: not window.window.isVisible())
     assert "serial_timeout: 15" in path.read_text(encoding="utf-8")
     assert disk.stalls == []
 
 
-# --- Other files --------------------------------------------------------
+# --- Other files ------------------------------------------------------------------------
 
 
-def test_window_saves_nothing_itself(
+def test_thread_of_the_window_saves_no_file(
     connected_window: WindowDriver, disk: SlowDisk, tmp_path: Path
 ) -> None:
     window, workspace = connected_window, trex(connected_window.program).workspace

@@ -1,11 +1,11 @@
-"""First connection of a new user, and state that is restored at the next start."""
+"""First connection of a new user, and state that the next start restores."""
 
-from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QRect
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
@@ -15,11 +15,10 @@ from tests.support.window import WindowDriver
 from trex_gui.composition import build
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.wiring_sketch import WiringSketch
-from trex_gui.ui.theme.theme import theme
 
 
 @pytest.mark.usefixtures("computer")
-def test_panel_shows_each_wiring_without_connection(window: WindowDriver) -> None:
+def test_panel_shows_each_wiring_while_nothing_is_connected(window: WindowDriver) -> None:
     status = window.open_page("boardPage")
     assert status.find(QWidget, "startPanel").isVisible()
     assert not status.find(QWidget, "boardView").isVisible()
@@ -37,25 +36,24 @@ def test_panel_shows_each_wiring_without_connection(window: WindowDriver) -> Non
     with window.qtbot.waitSignal(window.device.applied):
         window.click("timeoutButton")
     window.wait(lambda: not status.has("timeoutButton"))
-    assert drawing.height() == height, "the button keeps its room"
+    assert drawing.height() == height, "the space of the button remains"
 
     window.disconnect()
     assert status.find(QWidget, "startPanel").isVisible()
-    for way, wires, jumpers in (
+    for number, wires, jumpers in (
         (1, "TReX: TX – SI, RX – SO, GND – GND", "Mode: remove it. SO–G: remove it"),
         (2, "RS-232 port – TReX: TX, pin 3 – RX", "Mode: remove it"),
         (3, "Receiver – TReX: CH 1 – CH1", "Mode: set it to RC"),
     ):
-        window.click(f"startWay{way}")
+        window.click(f"startWay{number}")
         check_keyboard(window.window)
-        shown = [number for number in (1, 2, 3) if window.has(f"wiringSketch{number}")]
-        assert shown == [way]
-        sketch = window.find(WiringSketch, f"wiringSketch{way}")
+        assert [each for each in (1, 2, 3) if window.has(f"wiringSketch{each}")] == [number]
+        sketch = window.find(WiringSketch, f"wiringSketch{number}")
         assert wires in sketch.accessibleName()
         assert jumpers in sketch.spoken_state()
 
 
-def test_first_start_leads_to_a_turning_motor_in_four_clicks(window: WindowDriver) -> None:
+def test_new_user_turns_a_motor_with_four_clicks(window: WindowDriver) -> None:
     window.click("startDemo")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     window.open_page("motorsPage")
@@ -65,7 +63,7 @@ def test_first_start_leads_to_a_turning_motor_in_four_clicks(window: WindowDrive
     window.wait(lambda: "motor 1 +" in window.motors.text)
 
 
-def test_port_that_is_plugged_in_is_offered_and_connected(
+def test_plugged_in_port_is_offered_and_connected(
     computer: list[ListPortInfo], window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     adapter = ListPortInfo(simulator.url, skip_link_detection=True)
@@ -81,7 +79,7 @@ def test_port_that_is_plugged_in_is_offered_and_connected(
 
 
 @pytest.mark.usefixtures("computer")
-def test_typed_address_is_listed_once_a_board_was_found_there(
+def test_typed_address_is_listed_after_a_board_was_found(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
     window.program.ports.add_typed("socket://nowhere:1")
@@ -98,7 +96,7 @@ def test_typed_address_is_listed_once_a_board_was_found_there(
     assert port.url == board.url
 
 
-def test_panel_of_the_robot_leads_to_robots(
+def test_start_panel_of_the_robot_connects_robots(
     computer: list[ListPortInfo], window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
     robot = start_simulator("--aracna", "--unpaced")
@@ -131,72 +129,63 @@ def test_panel_of_the_robot_leads_to_robots(
     assert port.url == robot.url
 
 
-Start = Callable[[], AbstractContextManager[WindowDriver]]
-
-
-@pytest.fixture
-def start(qtbot: QtBot, qapp: QApplication) -> Start:
-    """Start the program. Unless its window is closed, it ends like a crash."""
-    theme().install(qapp)
-
-    @contextmanager
-    def started() -> Iterator[WindowDriver]:
-        program = build()
-        program.window.show()
-        program.complete()
-        try:
-            yield WindowDriver(program, qtbot)
-            QCoreApplication.processEvents()
-        finally:
-            program.window.hide()
-            assert program.close(), "a thread of the program lives on"
-
-    return started
+@contextmanager
+def start(qtbot: QtBot) -> Iterator[WindowDriver]:
+    """Run the program. It ends like a crash unless its window is closed."""
+    program = build()
+    program.window.show()
+    program.complete()
+    try:
+        yield WindowDriver(program, qtbot)
+        QCoreApplication.processEvents()
+    finally:
+        program.window.hide()
+        assert program.close(), "a thread of the program is still running"
 
 
 @pytest.mark.parametrize("is_closed", [True, False])
-def test_device_and_pages_return(
-    start: Start, quick_simulator: SimulatedDevice, is_closed: bool
+def test_device_and_pages_are_restored_at_the_next_start(
+    qtbot: QtBot, quick_simulator: SimulatedDevice, is_closed: bool
 ) -> None:
-    place = QRect(50, 60, 1000, 650)
-    with start() as window:
-        window.window.setGeometry(place)
+    geometry = QRect(50, 60, 1000, 650)
+    with start(qtbot) as window:
+        window.window.setGeometry(geometry)
         window.open_page("motorsPage")
         window.program.device_manager.switch_to("aracna", lambda: None)
         window.open_page("aracnaPosesPage")
         if is_closed:
             assert window.window.close()
-    with start() as window:
+    with start(qtbot) as window:
         assert window.has("aracnaPosesPage")
         assert window.program.device_manager.current.plugin.key == "aracna"
         if is_closed:
-            assert window.window.geometry() == place
+            assert window.window.geometry() == geometry
         window.connect(quick_simulator.url)
         assert window.has("motorsPage")
         assert window.window.close()
-    with start() as window:
+    with start(qtbot) as window:
         assert window.has("motorsPage")
         assert window.device.link is ConnectionState.DISCONNECTED
 
 
-def test_focus_goes_where_the_next_key_is_wanted(window: WindowDriver) -> None:
+def test_focus_moves_to_the_next_useful_control(window: WindowDriver) -> None:
     def focused() -> QWidget | None:
         return window.window.focusWidget()
 
-    connect, places = window.button("connectButton"), window.window.pages.tabBar()
+    connect, tabs = window.button("connectButton"), window.window.pages.tabBar()
     assert focused() is connect
     window.open_page("boardPage")
     window.button("startDemo").setFocus()
     window.click("startDemo")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    assert focused() is places
+    assert focused() is tabs
     connect.setFocus()
     window.click("connectButton")
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert focused() is connect
 
 
-def test_name_of_the_board_is_whole_beside_the_demo_panel(window: WindowDriver) -> None:
+def test_board_name_is_not_cut_beside_the_demo_panel(window: WindowDriver) -> None:
     window.click("startDemo")
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     window.window.resize(1024, 600)

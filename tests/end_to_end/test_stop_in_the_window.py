@@ -1,7 +1,6 @@
-"""All controls and keys in the windows that stop the motors."""
+"""Controls and keys of the windows that stop the motors."""
 
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 import pytest
@@ -19,7 +18,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 
 
 class DrivingWindow(MotorsPage):
-    """Motors page of a board that drives all motors, on a line with a real baud rate."""
+    """Motors page of a board that drives all motors. The line has a realistic baud rate."""
 
     def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
         window.connect(simulator.url)
@@ -48,7 +47,7 @@ class DrivingWindow(MotorsPage):
         QTest.simulateEvent(window, True, Qt.Key.Key_Escape, none, "", True)
 
     def expect_stop(self, cause: str) -> None:
-        """Check that the stop is sent at once, and wait until the board has stopped."""
+        """Check that the motors are disarmed at once. Wait until the board has stopped."""
         assert not self.is_armed(), cause
         self.wait(lambda: is_stopped(self.simulator))
         assert self.motors.drive(1) is None, cause
@@ -76,7 +75,7 @@ def test_stop_button_stops_on_press_on_every_page(driving: DrivingWindow) -> Non
         driving.drive()
 
 
-def test_motors_stop_at_every_stop_control_and_lost_control(driving: DrivingWindow) -> None:
+def test_motors_stop_at_every_stop_control(driving: DrivingWindow) -> None:
     stop = driving.button("stopButton")
     stop.setFocus()
     QTest.keyClick(stop, Qt.Key.Key_Space)
@@ -107,7 +106,7 @@ def test_motors_stop_at_every_stop_control_and_lost_control(driving: DrivingWind
 
 
 @pytest.mark.qt_log_ignore("does not support", extend=True)  # popups offscreen
-def test_escape_that_closes_something_stops_only_what_may_move(driving: DrivingWindow) -> None:
+def test_escape_closes_popup_and_stops_motors_that_may_move(driving: DrivingWindow) -> None:
     menu = driving.window.menuBar().actions()[0].menu()
     assert isinstance(menu, QMenu)
     combo = QComboBox(driving.window)
@@ -119,21 +118,18 @@ def test_escape_that_closes_something_stops_only_what_may_move(driving: DrivingW
     def is_edited() -> bool:
         return page.view.indexWidget(value) is not None
 
-    things: dict[str, tuple[Gesture, Callable[[], bool]]] = {
+    popups: dict[str, tuple[Gesture, Callable[[], bool]]] = {
         "menu": (lambda: menu.popup(QPoint(9, 9)), menu.isVisible),
         "list": (combo.showPopup, combo.view().isVisible),
         "editor": (lambda: page.view.edit(value), is_edited),
     }
 
-    def is_not(so: Callable[[], bool]) -> bool:
-        return not so()
-
-    for name, (open_it, is_open) in things.items():
-        open_it()
+    for name, (open_popup, is_open) in popups.items():
+        open_popup()
         driving.wait(is_open)
         driving.press_escape()
         driving.expect_stop(name)
-        driving.wait(partial(is_not, is_open))
+        driving.wait(lambda: not is_open())  # noqa: B023 - called at once
         driving.drive()
         driving.open_page("parametersPage")
 
@@ -141,20 +137,20 @@ def test_escape_that_closes_something_stops_only_what_may_move(driving: DrivingW
     driving.wait(lambda: not driving.program.device_manager.needs_stop)
     stops: list[str] = []
     driving.motors.stop_requested.connect(lambda: stops.append("stop"))
-    for name, (open_it, is_open) in things.items():
-        open_it()
+    for name, (open_popup, is_open) in popups.items():
+        open_popup()
         driving.wait(is_open)
         driving.press_escape()
-        driving.wait(partial(is_not, is_open))
+        driving.wait(lambda: not is_open())  # noqa: B023 - called at once
         for _ in range(3):
             driving.repeat_escape()
-        assert not stops, f"{name}: a key that is held goes on closing nothing else"
+        assert not stops, f"{name}: a held key has no further effect"
     driving.press_escape()
     driving.repeat_escape()
     assert stops == ["stop"]
 
 
-def test_escape_closes_dialog_and_stops_only_what_may_move(driving: DrivingWindow) -> None:
+def test_escape_closes_dialog_and_stops_motors_that_may_move(driving: DrivingWindow) -> None:
     stops: list[str] = []
     driving.motors.stop_requested.connect(lambda: stops.append("stop"))
 
@@ -171,7 +167,7 @@ def test_escape_closes_dialog_and_stops_only_what_may_move(driving: DrivingWindo
         assert not press_escape_in(entry, f"{entry}Dialog")
         driving.expect_stop(f"Esc in the {entry}")
         driving.drive()
-    assert press_escape_in("bench", "benchDialog"), "its result is read"
+    assert press_escape_in("bench", "benchDialog"), "the dialog stays open to show the result"
     driving.expect_stop("Esc in the bench test")
     driving.wait(lambda: not driving.program.device_manager.needs_stop)
     stops.clear()
@@ -180,7 +176,7 @@ def test_escape_closes_dialog_and_stops_only_what_may_move(driving: DrivingWindo
     assert stops == []
 
 
-def test_escape_without_a_board_claims_nothing(window: WindowDriver) -> None:
+def test_escape_without_a_board_reports_no_stop(window: WindowDriver) -> None:
     window.motors.lockout = 3
     window.window.activateWindow()
     window.wait(window.window.isActiveWindow)
@@ -199,7 +195,7 @@ def test_disconnecting_and_closing_stop_the_motors(driving: DrivingWindow) -> No
     driving.wait(lambda: is_stopped(driving.simulator))
 
 
-def test_closing_with_edits_stops_before_it_asks(driving: DrivingWindow) -> None:
+def test_closing_with_edits_stops_motors_before_the_prompt(driving: DrivingWindow) -> None:
     driving.device.parameters.edit("serial_timeout", 9)
     assert not driving.window.close()
     driving.expect_stop("closing")

@@ -1,4 +1,4 @@
-"""Transcript page: all traffic on the line."""
+"""Transcript page, which lists the traffic on the line."""
 
 import re
 from pathlib import Path
@@ -19,7 +19,7 @@ from trex_gui.ui.widgets.labels import ElidedLabel, PageHead
 
 
 class TrafficDriver(WidgetDriver):
-    """Open transcript page."""
+    """Driver of the Transcript page. The constructor opens the page."""
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.open_page("transcriptPage").root, window.qtbot)
@@ -38,7 +38,7 @@ class TrafficDriver(WidgetDriver):
 
     def shows(self, text: str) -> bool:
         """Return whether a row shows a text."""
-        return any(text in words for words in self.column(MEANING))
+        return any(text in meaning for meaning in self.column(MEANING))
 
     def wait_for_row(self, text: str) -> None:
         self.wait(lambda: self.shows(text))
@@ -47,10 +47,10 @@ class TrafficDriver(WidgetDriver):
         """Return the last row that requests the signature."""
         return max(row for row, sent in enumerate(self.column(SENT)) if sent == "81")
 
-    def check(self, name: str, on: bool = True) -> None:
-        if self.find(QCheckBox, name).isChecked() is not on:
+    def check(self, name: str, checked: bool = True) -> None:
+        if self.find(QCheckBox, name).isChecked() is not checked:
             self.click(name)
-        assert self.find(QCheckBox, name).isChecked() is on
+        assert self.find(QCheckBox, name).isChecked() is checked
 
     def wait_for_traffic(self) -> None:
         """Wait for 50 more transactions."""
@@ -128,7 +128,7 @@ def test_traffic_is_searched_and_filtered_by_faults(
         assert str(index.data(Qt.ItemDataRole.AccessibleTextRole)).startswith("Fault: ")
 
 
-def test_polling_is_shown_on_demand_and_log_can_be_paused(
+def test_polling_is_shown_on_request_and_log_can_be_paused(
     window: WindowDriver, page: TrafficDriver, simulator: SimulatedDevice
 ) -> None:
     window.connect(simulator.url)
@@ -150,12 +150,12 @@ def test_polling_is_shown_on_demand_and_log_can_be_paused(
     assert page.rows == count
     assert "paused" in page.summary
     page.check("transcriptFaults")
-    page.check("transcriptFaults", on=False)
-    assert page.rows == count, "nor does a search bring in what is newer"
-    page.check("transcriptPause", on=False)
+    page.check("transcriptFaults", checked=False)
+    assert page.rows == count, "a new search adds no newer rows"
+    page.check("transcriptPause", checked=False)
     page.wait(lambda: page.rows > count + 50)
 
-    page.check("transcriptPolling", on=False)
+    page.check("transcriptPolling", checked=False)
     assert not page.shows("get currents")
     assert "polling hidden" in page.summary
 
@@ -184,7 +184,7 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     selected = details.textCursor().selectedText()
     page.wait_for_traffic()
     assert page.view.currentIndex().row() == row
-    assert details.textCursor().selectedText() == selected, "to be copied"
+    assert details.textCursor().selectedText() == selected, "the selection remains"
 
     page.view.setFocus()
     window.click("diagnosticsCopy")
@@ -228,7 +228,7 @@ def test_typed_bytes_are_explained_and_sent(
     window.connect(simulator.url)
     page.wait(lambda: page.view.verticalScrollBar().maximum() > 100 and page.view.is_at_bottom)
     window.window.resize(1100, 640)
-    assert page.view.is_at_bottom, "a low window still follows"
+    assert page.view.is_at_bottom, "a low window still scrolls to new rows"
     assert meaning() == "get Serial Timeout"
     with window.qtbot.waitSignal(window.device.notifier.info) as info:
         page.type_into("transcriptBytes", "9F 07")
@@ -276,7 +276,7 @@ def test_typed_write_to_every_board_on_a_line_is_not_sent(
     window.wait(lambda: window.device.is_connected)
 
     def numbers() -> list[int]:
-        return [boards.show(f"@{one}")["parameters"]["device_number"] for one in (7, 9)]
+        return [boards.show(f"@{number}")["parameters"]["device_number"] for number in (7, 9)]
 
     page.type_into("transcriptBytes", "AF 00 0C 55 2A")
     expected = "board on this line would store it: address device 7."

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from pytestqt.qtbot import QtBot
 
+from tests.support.pages.motors import signed_speeds
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
@@ -45,11 +46,7 @@ class Robot:
         self.device.motors.accept_arming_without_timeout()
 
     def speeds(self) -> tuple[int, int]:
-        """Return the signed speed of each simulated motor. 0 while it brakes."""
-        signs = {"forward": 1, "reverse": -1, "brake": 0}
-        first, second = (
-            signs[m["direction"]] * m["speed"] for m in self.simulator.show()["motors"]
-        )
+        first, second = signed_speeds(self.simulator)
         return first, second
 
     def wheels(self) -> dict[Side, int]:

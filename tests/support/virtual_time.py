@@ -155,7 +155,7 @@ class VirtualRuntime(Runtime):
 
     @property
     def is_idle(self) -> bool:
-        """Whether no thread is running."""
+        """True if no thread is running."""
         return not self._tasks
 
     def advance(self, seconds: float) -> None:

@@ -28,6 +28,12 @@ def is_stopped(simulator: SimulatedDevice, board: str = "") -> bool:
     )
 
 
+def signed_speeds(simulator: SimulatedDevice, board: str = "") -> list[int]:
+    """Return the signed speed of each motor. 0 while it brakes."""
+    signs = {"forward": 1, "reverse": -1, "brake": 0}
+    return [signs[m["direction"]] * m["speed"] for m in simulator.show(board)["motors"]]
+
+
 Gesture = Callable[[], object]
 """Action with the mouse or keyboard."""
 
