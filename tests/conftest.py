@@ -133,7 +133,7 @@ def pytest_collection_finish() -> None:
 def virtual_time() -> Iterator[VirtualRuntime]:
     """Run the program in virtual time."""
     virtual = VirtualRuntime()
-    virtual.make_process = partial(VirtualProcess, virtual)
+    virtual.create_process = partial(VirtualProcess, virtual)
     previous = use_runtime(virtual)
     yield virtual
     use_runtime(previous)

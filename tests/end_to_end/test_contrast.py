@@ -152,7 +152,9 @@ def test_controls_have_a_visible_outline_in_every_theme(window: WindowDriver) ->
     window.dialog("powerCycleDialog")
     for bar in window.find_all(ActionBar):
         buttons = (each for each in bar.findChildren(QPushButton) if each is not bar.stop)
-        assert [each.text() for each in buttons if not each.icon().isNull()] == [], "not visible"
+        assert [each.text() for each in buttons if not each.icon().isNull()] == [], (
+            "invisible on amber"
+        )
     controls = controls_of(window.window)
     assert all(any(isinstance(control, kind) for control in controls) for kind in KINDS)
     assert len(window.find_all(QDialog)) > 8

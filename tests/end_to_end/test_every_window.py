@@ -151,7 +151,7 @@ class ButtonPresser:
 
 
 class Findings:
-    """Untranslated and cut texts, without duplicates."""
+    """Untranslated and cut texts of the checked windows."""
 
     def __init__(self) -> None:
         self.untranslated: dict[str, str] = {}
@@ -164,11 +164,12 @@ class Findings:
             if part := untranslated(text):
                 self.untranslated.setdefault(part, where)
         self.cut.update(f"{window.objectName()}: {cut}" for cut in cut_texts(window))
-        screen, least = window.screen().availableGeometry(), window.minimumSizeHint() + FRAME
+        screen, min_size = window.screen().availableGeometry(), window.minimumSizeHint() + FRAME
         if not (
-            screen.contains(window.frameGeometry()) and least == least.boundedTo(screen.size())
+            screen.contains(window.frameGeometry())
+            and min_size == min_size.boundedTo(screen.size())
         ):
-            self.cut.add(f"{window.objectName()}: larger than the screen, at least {least}")
+            self.cut.add(f"{window.objectName()}: larger than the screen, at least {min_size}")
 
 
 @pytest.fixture(

@@ -210,7 +210,7 @@ def test_note_is_saved_wherever_its_value_is_saved(
     window.disconnect()
     window.connect(other.url)
     wait_for_records(window)
-    assert not field.toPlainText(), "another board"
+    assert not field.toPlainText(), "another board has no note"
     draft.undo.undo()
     assert not draft.notes.all
     files.open_file(path)

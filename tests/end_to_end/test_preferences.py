@@ -36,9 +36,9 @@ def test_windows_with_large_fonts_fit_a_small_screen(
             window.wait_for_files()
             for widget in (window.window, dialog.root):
                 # At 175 %, the panel of the simulated device must be closed.
-                least = widget.minimumSizeHint().width() if percent < 175 else 0
-                case = f"{kind}, {percent} %: {widget.objectName()} needs {least}"
-                assert least <= SMALL.width() - FRAME.width(), case
+                min_width = widget.minimumSizeHint().width() if percent < 175 else 0
+                case = f"{kind}, {percent} %: {widget.objectName()} needs {min_width}"
+                assert min_width <= SMALL.width() - FRAME.width(), case
                 height = widget.minimumSizeHint().height()
                 assert height <= SMALL.height() - FRAME.height(), case
             button = window.button(stop)

@@ -95,7 +95,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
 @pytest.mark.realtime
 @pytest.mark.timeout(120)
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
-def test_board_with_parity_is_found_on_port_with_parity_errors(
+def test_board_with_parity_is_found_over_rfc2217(
     window: WindowDriver, dialog: FindBoardDialog, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced", "--rfc2217", "127.0.0.1:0")

@@ -84,7 +84,7 @@ def test_escape_leaves_search_and_stops_armed_motors(search: SearchDriver) -> No
         search.press(ESC)
 
 
-def test_hit_that_would_move_motors_is_only_shown(search: SearchDriver) -> None:
+def test_hit_that_would_arm_motors_is_shown_in_its_menu(search: SearchDriver) -> None:
     search.type("arm motors")
     assert search.titles[0] == "Arm motors"
     search.press(ENTER)

@@ -89,7 +89,7 @@ def test_checked_rows_become_edits(
     assert (stored.minimum, stored.deadband) == (2600, 60)
 
 
-def test_file_without_edits_leaves_nothing_to_write(
+def test_file_that_reverts_all_edits_leaves_nothing_to_write(
     connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -301,8 +301,8 @@ def test_new_file_starts_with_chosen_settings(
         window.trigger("new")
         dialog = window.dialog("newSettingsDialog")
         beginnings = dialog.find(QListView, "beginningsList")
-        model, whole = beginnings.model(), Qt.MatchFlag.MatchExactly
-        (index,) = model.match(model.index(0, 0), Qt.ItemDataRole.DisplayRole, beginning, -1, whole)
+        model, exact = beginnings.model(), Qt.MatchFlag.MatchExactly
+        (index,) = model.match(model.index(0, 0), Qt.ItemDataRole.DisplayRole, beginning, -1, exact)
         beginnings.setCurrentIndex(index)
         box = dialog.find_only(QDialogButtonBox)
         QTest.mouseClick(box.button(QDialogButtonBox.StandardButton.Ok), LEFT)

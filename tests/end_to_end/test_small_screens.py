@@ -72,8 +72,8 @@ def check_window(window: QWidget, screen: QRect, stop: QAbstractButton | None) -
     assert not list(cut_texts(window))
     case = f"{window.objectName()}: {window.frameGeometry()}"
     assert screen.contains(window.frameGeometry()), case
-    least, available = window.minimumSizeHint(), screen.size() - FRAME
-    assert least == least.boundedTo(available), f"{window.objectName()} needs {least}"
+    min_size, available = window.minimumSizeHint(), screen.size() - FRAME
+    assert min_size == min_size.boundedTo(available), f"{window.objectName()} needs {min_size}"
     if stop is not None:
         assert stop.isVisible(), case
         place = QRect(stop.mapTo(window, QPoint()), stop.size())

@@ -55,7 +55,7 @@ class VirtualComputer(VirtualRuntime):
 def _computer(folder: Path) -> Iterator[VirtualComputer]:
     """Change to a folder, and connect simulated devices to `URL` and `ROBOT_URL`."""
     computer = VirtualComputer()
-    computer.make_process = lambda parent: VirtualProcess(computer, parent)
+    computer.create_process = lambda parent: VirtualProcess(computer, parent)
     before = use_runtime(computer)
     devices = [
         VirtualSimulator(computer, URL, "--unpaced"),

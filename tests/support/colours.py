@@ -57,9 +57,9 @@ def weak_texts(window: QWidget) -> dict[str, float]:
             has_frame = isinstance(widget, _FRAMED)
             area = pixels[place.top() : place.bottom() + 1, place.left() : place.right() + 1]
             known = backgrounds or [_background(area, has_frame=has_frame)]
-            least = min(contrast(color, background) for background in known)
-            if least < min_contrast(widget.fontInfo()):
-                weak[f"{widget.objectName() or type(widget).__name__} {name}"] = round(least, 2)
+            lowest = min(contrast(color, background) for background in known)
+            if lowest < min_contrast(widget.fontInfo()):
+                weak[f"{widget.objectName() or type(widget).__name__} {name}"] = round(lowest, 2)
     return weak
 
 

@@ -218,12 +218,13 @@ class Driver(QObject):
         self._motors.abort("gamepad", "The gamepad is gone.")
 
 
-def main(url: str, timeouts: str = "", baud: str = "19200") -> int:
+def main(url: str, timeout_set: str = "", baud: str = "19200") -> int:
     """Run the program until it ends."""
     build = composition.build
 
-    def build_and_drive(_timeouts: Timeouts | None = None) -> Program:
-        program = build(Timeouts() if timeouts == "default" else PATIENT)
+    def build_and_drive(timeouts: Timeouts | None = None) -> Program:
+        del timeouts
+        program = build(Timeouts() if timeout_set == "default" else PATIENT)
         trex(program).controller.set_settings(ConnectionSettings("", LineSettings(int(baud))))
         Driver(program)
         return program

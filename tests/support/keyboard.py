@@ -294,7 +294,7 @@ def _next(widget: QWidget) -> QWidget:
     """Return the next widget in the Tab order. PySide makes it a child of `widget`."""
     following = widget.nextInFocusChain()
     assert following is not None
-    following.setParent(following.parentWidget())  # undoes this
+    following.setParent(following.parentWidget())  # restores the parent
     return following
 
 

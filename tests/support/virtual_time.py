@@ -65,12 +65,12 @@ class VirtualRuntime(Runtime):
 
     Attributes:
         ports: URL → port.
-        make_process: creates the replacement of a process that the program starts.
+        create_process: creates the replacement of a process that the program starts.
     """
 
     def __init__(self) -> None:
         self.ports: dict[str, Port] = {}
-        self.make_process: Callable[[QObject], QProcess] | None = None
+        self.create_process: Callable[[QObject], QProcess] | None = None
         self._now = self._until = self._painted = START
         self._events: list[tuple[float, int, Event]] = []
         self._order = itertools.count()
@@ -111,9 +111,9 @@ class VirtualRuntime(Runtime):
         return join
 
     def process(self, parent: QObject) -> QProcess:
-        if self.make_process is None:
+        if self.create_process is None:
             return super().process(parent)
-        return self.make_process(parent)
+        return self.create_process(parent)
 
     def open_transport(self, settings: PortSettings) -> Transport:
         if settings.url in self.ports:
