@@ -149,7 +149,7 @@ def test_return_to_zero_slider_brakes_at_every_release(armed: MotorsPage) -> Non
 
 
 def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> None:
-    """Without the stop, a slider without *Return to zero* would drive on a hidden page."""
+    """Otherwise a slider without *Return to zero* would keep driving on a hidden page."""
     sixty = ("forward", 60)
     controls: dict[str, tuple[Gesture, Gesture]] = {
         "slider": (

@@ -100,8 +100,8 @@ class DrivingProcess:
 
     def wait_for_reply(self) -> None:
         """Wait until the event loop of the window has processed a command."""
-        self.send("stop_driving")
-        self.expect("stopped_driving")
+        self.send("stop_rearming")
+        self.expect("rearming_stopped")
 
     def expect(self, word: str) -> None:
         assert self.process.stdout is not None

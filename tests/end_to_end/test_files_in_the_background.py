@@ -1,4 +1,4 @@
-"""Only regular files are opened, in a thread of their own."""
+"""Only regular files are opened, and not in the thread of the window."""
 
 import os
 import shutil

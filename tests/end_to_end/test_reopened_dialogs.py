@@ -14,7 +14,7 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 
 def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
-    """Return the name of each reused dialog → function that opens it."""
+    """Return the functions that open the reused dialogs, by dialog name."""
     return {
         "benchDialog": lambda: window.trigger("bench"),
         "findDialog": lambda: window.click("findButton"),

@@ -169,7 +169,7 @@ def _die(cause: str, program: str, board: SimulatorProcess, folder: Path) -> str
         _STARTED.append(process.pid)
         if program.startswith("window"):
             assert process.stdin is not None
-            process.stdin.write("drive\n" if len(_STARTED) == 1 else "stop_driving\n")
+            process.stdin.write("drive\n" if len(_STARTED) == 1 else "stop_rearming\n")
             process.stdin.flush()
         return process
 

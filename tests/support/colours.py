@@ -71,7 +71,7 @@ def _pixels(picture: QImage) -> NDArray[np.uint32]:
 
 
 def _background(pixels: NDArray[np.uint32], *, has_frame: bool) -> QColor:
-    """Return the most frequent colour, in a widget with a frame near its lower edge."""
+    """Return the most frequent colour. In a frame, only pixels near its lower edge count."""
     height, width = pixels.shape
     if has_frame:
         sample = pixels[max(height - 5, 0), width // 4 : max(width - width // 4, 1)]

@@ -17,5 +17,5 @@ class RecordingSimulator(Simulator):
         super().send(line, then)
 
     def changes(self) -> list[str]:
-        """Return the control lines that do not only read the state."""
+        """Return the control lines, except for those that read the state."""
         return [line for line in self.lines if line != "show"]

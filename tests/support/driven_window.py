@@ -4,9 +4,10 @@ Run as `python -m tests.support.driven_window URL [TIMEOUTS [BAUD]]`. With `defa
 program has its own timeouts, otherwise longer ones.
 
 Each line on stdin is the name of a method of `Driver`. After `drive` the program arms and drives
-all motors, again after each stop, and prints `driving` when it first does so. After `stop_driving`
-it drives no more and prints `stopped_driving`. The other methods cause a fault. Before the program
-hangs it prints `hanging`. Once some samples are recorded it prints `recording`.
+all motors, again after each stop, and prints `driving` when it first does so. Each other method
+ends this rearming. `stop_rearming` does nothing else and prints `rearming_stopped`. The rest cause
+a fault. Before the program hangs it prints `hanging`. Once some samples are recorded it prints
+`recording`.
 """
 
 import os
@@ -108,8 +109,8 @@ class Driver(QObject):
         self._has_driven = False
         self._timer.start()
 
-    def stop_driving(self) -> None:
-        self._print("stopped_driving")
+    def stop_rearming(self) -> None:
+        self._print("rearming_stopped")
 
     def error_in_a_slot(self) -> None:
         self._failure.start(0)

@@ -221,7 +221,7 @@ _MOUSE_HANDLERS = "mousePressEvent", "mouseMoveEvent", "mouseReleaseEvent"
 
 
 def _out_of_reach(window: QWidget) -> Iterator[str]:
-    """Yield widgets that need a mouse, or that take the focus without a function."""
+    """Yield widgets that need a mouse, or that accept the focus, but no key."""
     reached = tab_order(window)
     names = {each.objectName() for each in reached}
     for each in shown_in(window):

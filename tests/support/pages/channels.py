@@ -87,7 +87,7 @@ class ChannelsDriver(WidgetDriver):
         self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
 
     def restart(self, simulator: SimulatedDevice, *lines: str) -> None:
-        """Obey control lines, power-cycle the board and connect again."""
+        """Send control lines, power-cycle the board and connect again."""
         self.disconnect()
         simulator.do(*lines, "power cycle")
         self.connect(simulator.url)
@@ -143,7 +143,7 @@ class ChannelsDriver(WidgetDriver):
         return action
 
     def apply(self) -> None:
-        """Write all edits without the review."""
+        """Write all edits without a review."""
         self.device.writer.apply()
         self.wait(lambda: not self.device.writer.running)
 

@@ -21,7 +21,7 @@ class FindBoardDialog(WidgetDriver):
         return [ports.item(row) for row in range(ports.count())]
 
     def rows(self) -> dict[str, bool]:
-        """Return the text of each port → whether it is checked."""
+        """Return whether each listed port is checked, by its text."""
         return {port.text(): port.checkState() is Qt.CheckState.Checked for port in self.ports()}
 
     def search(self, window: WindowDriver, url: str) -> None:

@@ -44,7 +44,7 @@ class ComparisonDialog(WidgetDriver):
         ]
 
     def values(self) -> dict[str, tuple[str, str]]:
-        """Return the key of each setting → both values."""
+        """Return both values of each setting, by key."""
         model = self.table.model()
         keys = [
             model.index(row, 0).data(Qt.ItemDataRole.UserRole) for row in range(model.rowCount())
