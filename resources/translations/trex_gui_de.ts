@@ -3351,8 +3351,8 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Endlage {0}: erreicht</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Endlage {0}: nicht nötig</translation></message>
-    <message><source>Calculated from the values in the board, for each channel on its own. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end.</source>
-        <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
+    <message><source>Calculated from the values in the board, for each channel on its own. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end (inferred).</source>
+        <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Zwei Annahmen: Ausgaben bis 8 von 127 gelten als neutral, und Schalter schalten auf halbem Weg zwischen Neutral und Ende um (erschlossen).</translation></message>
     <message><source>Hold this position …</source>
         <translation>Dort halten …</translation></message>
     <message><source>No end reached yet.</source>

@@ -3351,8 +3351,8 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémité {0} : atteinte</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Extrémité {0} : pas nécessaire</translation></message>
-    <message><source>Calculated from the values in the board, for each channel on its own. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end.</source>
-        <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
+    <message><source>Calculated from the values in the board, for each channel on its own. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end (inferred).</source>
+        <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. Deux hypothèses : une sortie jusqu'à 8 sur 127 compte comme neutre, et les interrupteurs basculent à mi-chemin entre le neutre et l'extrémité (déduit).</translation></message>
     <message><source>Hold this position …</source>
         <translation>Maintenez cette position …</translation></message>
     <message><source>No end reached yet.</source>

@@ -4,6 +4,7 @@ The simulated board works at the pace of the wire. Each poll of its motors adds 
 """
 
 import signal
+import subprocess
 import sys
 import time
 from collections.abc import Callable
@@ -12,7 +13,6 @@ from pathlib import Path
 import pytest
 
 from tests.benchmarks.conftest import ReportFigure, fast_board
-from tests.devices.trex.conftest import running_script
 from tests.devices.trex.test_library import DRIVE_TWO
 from tests.end_to_end.test_every_stop_cause import DrivingProcess
 from tests.support.pages.motors import is_stopped
@@ -71,7 +71,10 @@ def test_two_boards_stop_soon_after_their_program_is_killed(figure: ReportFigure
     worst = 0.0
     for _ in range(4 * _ROUNDS):
         simulator = SimulatorProcess("--device", "7", "--device", "9")
-        with running_script(DRIVE_TWO, simulator.url) as program:
+        command = [sys.executable, "-c", DRIVE_TWO, simulator.url]
+        with subprocess.Popen(command, stdout=subprocess.PIPE) as program:
+            assert program.stdout is not None
+            assert program.stdout.readline() == b"drives\n"
             start = time.perf_counter()
             program.kill()
         running = ["@7", "@9"]

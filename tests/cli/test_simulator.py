@@ -105,9 +105,9 @@ def is_silent(sim: RunningSimulator, packet: str, **settings: Any) -> bool:
     before: int = sim.show()["counters"]["line"]["sent"]
     with serial.serial_for_url(sim.url, timeout=0.1, **{"baudrate": 19200, **settings}) as port:
         port.write(data)
-        assert comes_true(carried)
-        answer: bytes = port.read(1)
-        return answer == b""
+        assert comes_true(is_sent)
+        reply: bytes = port.read(1)
+        return reply == b""
 
 
 def error_message(*arguments: str) -> str:
@@ -293,10 +293,10 @@ class TestInputAndEnd:
         script.write_text("channel 1 4000\nbogus\nchannel 2 4001", encoding="utf-8")
         with script.open("rb") as file:
             sim = start("--tcp", "127.0.0.1:0", stdin=file)
-        answers = [sim.line() for _ in range(3)]
-        assert answers[0] == "ok channel 1 gets 1600us"
-        assert answers[1].startswith("error 'bogus' is not a command")
-        assert answers[2] == "ok channel 2 gets 1600.4us"
+        replies = [sim.line() for _ in range(3)]
+        assert replies[0] == "ok channel 1 gets 1600us"
+        assert replies[1].startswith("error 'bogus' is not a command")
+        assert replies[2] == "ok channel 2 gets 1600.4us"
         assert comes_true(lambda: request(sim.url, "86 03", 4) == bytes.fromhex("A0 0F A1 0F"))
         assert sim.process.poll() is None
 

@@ -6,6 +6,7 @@ import sys
 import pytest
 
 import trex_gui as public
+from tests.devices.trex.conftest import STOPPED, motor, running_script
 from tests.devices.trex.simulator.waiting import comes_true
 from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Sequence
 
 import pytest
 
-from tests.devices.trex.conftest import orders
-from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear
+from tests.devices.trex.conftest import motor_commands
+from tests.devices.trex.discovery.test_prober import ALL_LINES, BOARD_LINES, State, Wire, receive
 from tests.devices.trex.simulator.ports import create_board
 from tests.support.aracna import AracnaHarness
 from tests.support.matrix import sampled

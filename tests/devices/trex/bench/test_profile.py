@@ -82,10 +82,10 @@ def test_drawn_course_matches_the_profile(profile: Profile) -> None:
         ({"speed": 0}, "not 0"),
         ({"speed": 128}, "127"),
         ({"speed": -128}, "127"),
-        ({"duration": 0.1}, "lasts 0.2 to 120 s, not 0.1 s"),
+        ({"duration": 0.1}, "must last 0.2 to 120 s, not 0.1 s"),
         ({"duration": 121}, "not 121 s"),
         ({"duration": math.nan}, "not nan s"),
-        ({"shape": Shape.SINE, "period": 0.1}, "period of a bench test is 0.2 to 120 s"),
+        ({"shape": Shape.SINE, "period": 0.1}, "period of a bench test must be 0.2 to 120 s"),
     ],
 )
 def test_invalid_profile_is_rejected_with_its_limits(values: dict[str, float], words: str) -> None:

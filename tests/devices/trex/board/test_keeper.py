@@ -104,7 +104,7 @@ def test_failed_save_is_reported_once() -> None:
 
 @pytest.mark.parametrize("changes", [3, 4])
 def test_board_with_many_differences_is_not_restored(changes: int) -> None:
-    harness, settings = staged()
+    harness, settings = create_harness()
     client = harness.client(settings)
     state = read_everything(client.request)
     keeper, is_restored = RecordingKeeper(state), changes < 4

@@ -159,7 +159,7 @@ def test_changed_line_settings_print_new_options(
     options: str,
 ) -> None:
     messages = write_values(trexcmd, tmp_path / "line.txt", **values)
-    sentence = "After the board is switched off and on, reach it with"
+    sentence = "After the board is switched off and on, connect with"
     assert f"{sentence} --port {quick_simulator.url} {options}\n" in messages
 
 
@@ -168,11 +168,11 @@ def test_printed_options_reach_the_board(
 ) -> None:
     path = tmp_path / "line.txt"
     messages = write_values(trexcmd, path, uart_settings=0x3A, crc7_polynomial=0x15)
-    (options,) = re.findall("off and on, reach it with (.*)", messages)
+    (options,) = re.findall("off and on, connect with (.*)", messages)
     quick_simulator.do("power cycle")
     trexcmd("get", "crc7_polynomial", *options.split())
     restored = trexcmd("restore-defaults", "--yes", *options.split())
-    (options,) = re.findall("off and on, reach it with (.*)", restored.stderr)
+    (options,) = re.findall("off and on, connect with (.*)", restored.stderr)
     quick_simulator.do("power cycle")
     trexcmd("get", "crc7_polynomial", *options.split())
 
@@ -183,7 +183,7 @@ def test_baud_rate_halved_by_old_firmware_is_printed_halved(
     url = start_simulator("--firmware", "1.0", "--unpaced").url
     path = tmp_path / "line.txt"
     messages = write_values(trexcmd, path, "--port", url, uart_settings=6)  # 28800 baud
-    assert f"reach it with --port {url} --baud 14400\n" in messages
+    assert f"connect with --port {url} --baud 14400\n" in messages
 
 
 def test_new_device_number_is_printed_for_expanded_protocol(
@@ -194,7 +194,7 @@ def test_new_device_number_is_printed_for_expanded_protocol(
     messages = write_values(trexcmd, path, *options, **values)
     url = quick_simulator.url
     now = f"Reach the board with --port {url} --baud 19200 --protocol expanded --device 9 from"
-    later = f"reach it with --port {url} --baud 57600 --protocol expanded --device 9\n"
+    later = f"connect with --port {url} --baud 57600 --protocol expanded --device 9\n"
     assert now in messages
     assert later in messages
 
@@ -205,7 +205,7 @@ def test_unchanged_line_settings_print_no_options(
 ) -> None:
     messages = write_values(trexcmd, tmp_path / "new.txt", **values)
     assert "Reach the board" not in messages
-    assert "reach it with" not in messages
+    assert "connect with" not in messages
 
 
 def test_restore_defaults_without_line_change_prints_no_options(trexcmd: RunCommand) -> None:

@@ -33,7 +33,7 @@ def _calibrate(board: Board) -> None:
 
 def read_board() -> tuple[SessionHarness, TrexClient, DeviceState]:
     """Read a simulated board. Return its harness, its client and its state."""
-    harness, settings = staged()
+    harness, settings = create_harness()
     client = harness.client(settings)
     return harness, client, read_everything(client.request)
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from tests.devices.trex.client.corruption import corrupt_packet
-from tests.devices.trex.session.helpers import commands, replying, staged
+from tests.devices.trex.session.helpers import commands, create_harness, fake_requester
 from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.client import Requester, TrexClient

@@ -11,7 +11,7 @@ from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication
 
 from tests.devices.trex.client.corruption import corrupt_packet
-from tests.devices.trex.session.helpers import commands, replying, staged
+from tests.devices.trex.session.helpers import commands, create_harness, fake_requester
 from tests.support.catalogs import in_language
 from tests.support.matrix import examples
 from tests.support.virtual import SessionHarness
@@ -58,7 +58,7 @@ def test_every_parameter_accepts_its_limits(spec: ParameterSpec) -> None:
 
 @pytest.mark.parametrize("has_crc", [False, True])
 def test_write_is_confirmed_by_two_readings_or_one_with_crc(*, has_crc: bool) -> None:
-    harness, settings = staged(detection=Detection.CRC7 if has_crc else Detection.NONE)
+    harness, settings = create_harness(detection=Detection.CRC7 if has_crc else Detection.NONE)
     write_parameter(harness.client(settings).request, TIMEOUT, 20, has_crc=has_crc)
     polynomial, read = settings.polynomial if has_crc else None, GetParameter(TIMEOUT.number)
     readings = [read] if has_crc else [read, GetMode(), read]
@@ -90,7 +90,7 @@ def test_factory_reset_is_not_read_back(harness: SessionHarness) -> None:
 
 
 def test_rejected_factory_reset_fails(harness: SessionHarness) -> None:
-    request = replying(harness, SetParameter, map(ResultCode, [0, 3, 3]))
+    request = fake_requester(harness, SetParameter, map(ResultCode, [0, 3, 3]))
     with pytest.raises(Rejected):
         write_parameter(request, SPECS["factory_reset"], 0x7F)
 
@@ -130,7 +130,7 @@ def test_unknown_parameter_error_mentions_firmware() -> None:
 
 
 def test_rejection_with_crc_is_not_confirmed_by_a_retry() -> None:
-    harness, settings = staged(mode="rc", detection=Detection.CRC7)
+    harness, settings = create_harness(mode="rc", detection=Detection.CRC7)
     client = harness.client(settings)
     with pytest.raises(Rejected):
         write_parameter(client.request, TIMEOUT, 5, has_crc=True)
@@ -157,7 +157,7 @@ def test_rejection_counts_when_the_board_repeats_it() -> None:
 def test_corrupted_result_code_does_not_fail_a_write(
     harness: SessionHarness, key: str, wire: int, codes: list[int]
 ) -> None:
-    request = replying(harness, SetParameter, map(ResultCode, codes))
+    request = fake_requester(harness, SetParameter, map(ResultCode, codes))
     assert write_parameter(request, SPECS[key], wire) == wire
 
 
@@ -219,7 +219,7 @@ def test_wrong_read_back_of_calibration_is_reported(harness: SessionHarness) -> 
 def test_successful_write_with_crc_is_stored(
     *, seed: int, noise: float, drop: int, lost: int, wire: int
 ) -> None:
-    harness, settings = staged(detection=Detection.CRC7)
+    harness, settings = create_harness(detection=Detection.CRC7)
     faults = harness.line.faults
     faults._random.seed(seed)
     faults.noise, faults.to_drop, faults.to_drop_sent = noise, drop, lost
@@ -319,7 +319,7 @@ def test_invalid_values_do_not_block_valid_ones(harness: SessionHarness) -> None
 
 
 def test_write_ends_when_board_is_not_in_serial_mode() -> None:
-    harness, settings = staged(mode="analog")
+    harness, settings = create_harness(mode="analog")
     changes = [(spec.key, spec.default) for spec in SPECS.readable]
     results = write_all(
         harness.client(settings).request, SPECS, changes, [(CalibrationKey.RC_CHANNEL_1, LEARNED)]

@@ -131,27 +131,7 @@ def test_scan_without_replies_commands_no_motor(
     assert not board.memory.writes
 
 
-def a_full_search_moves_nothing(settings: LineSettings, orders: list[str]) -> None:
-    board = create_board(settings=settings.to_wire(), uart_error_shutdown=0)
-    wire = wire_of(board)
-    wire.line.faults.mute = True
-    search(wire, full=True)
-    assert not orders
-    assert not board.memory.writes
-
-
-def test_full_search_commands_no_motor(orders: list[str]) -> None:
-    a_full_search_moves_nothing(LineSettings(9600), orders)
-
-
-@pytest.mark.slow
-@pytest.mark.timeout(900)
-def test_full_search_commands_no_motor_on_any_board(orders: list[str]) -> None:
-    for settings in BOARDS:
-        a_full_search_moves_nothing(settings, orders)
-
-
-# --- Each question by itself ------------------------------------------------------------
+# --- Sequences of probes ----------------------------------------------------------------
 
 SKEWS = (-0.03, -0.01, -1e-6, 1e-6, 0.01, 0.03)
 """Clock errors of a board. The smallest decide samples on an edge."""
@@ -333,7 +313,7 @@ def test_flush_byte_precedes_each_probe() -> None:
 
 @pytest.mark.parametrize("fault", ["to_drop", "to_drop_sent"])
 @pytest.mark.parametrize("count", [1, 7, 40])
-def test_board_is_found_on_line_that_swallows_bytes(fault: str, count: int) -> None:
+def test_scan_finds_board_on_line_that_loses_bytes(fault: str, count: int) -> None:
     wire = wire_of(create_board(9))
     setattr(wire.line.faults, fault, count)
     found = found_board(scan(wire))
@@ -348,7 +328,7 @@ def test_likely_rate_is_probed_again_at_the_end(baud: int) -> None:
     assert found_board(scan(wire)).settings.line.baud == baud
 
 
-def test_second_look_at_silent_line_takes_a_tenth_of_the_search() -> None:
+def test_repeated_probes_take_a_tenth_of_the_scan_time() -> None:
     wire = wire_of(create_board())
     wire.line.faults.mute = True
     starts: list[float] = []
@@ -362,7 +342,7 @@ def test_second_look_at_silent_line_takes_a_tenth_of_the_search() -> None:
 def test_progress_names_next_probe() -> None:
     steps: list[ScanProgress] = []
     wire = wire_of(create_board(settings=LineSettings(9600).to_wire()))
-    search(wire, progress=steps.append)
+    scan(wire, progress=steps.append)
     assert [(step.done, step.line.baud) for step in steps] == [(0, 19200), (1, 115200), (2, 9600)]
     assert {step.total for step in steps} == {len(ALL_LINES) + REPEATED_PROBES}
 
@@ -380,8 +360,8 @@ def test_scan_can_be_cancelled() -> None:
 def test_device_number_scan_reports_progress_and_cancels() -> None:
     steps: list[ScanProgress] = []
     wire = wire_of(create_board(9))
-    result = search(wire, full=True, progress=steps.append, cancelled=lambda: len(steps) > 11)
-    assert only(result).device_number == 9
+    result = scan(wire, full=True, progress=steps.append, cancelled=lambda: len(steps) > 11)
+    assert found_board(result).device_number == 9
     assert [step.number for step in steps] == [None, *range(11)]
 
 
@@ -394,18 +374,16 @@ def test_fixed_rate_port_is_probed_once() -> None:
 
 def test_trex_jr_on_rs232_side_is_found_with_its_number() -> None:
     wire = wire_of(create_board(12, LineSettings(57600).to_wire(), "trexjr"), echo=True)
-    found = only(search(wire))
+    found = found_board(scan(wire))
     assert (str(found.signature), found.device_number, found.echo) == ("TReX Jr 1.2", 12, True)
 
 
-@pytest.mark.parametrize("chosen", [28800, 38400])
-def test_half_baud_rate_of_old_firmware_is_explained(chosen: int) -> None:
-    board = Board(
-        "trex", "1.1", eeprom=create_board(settings=LineSettings(chosen).to_wire()).eeprom
-    )
-    found = only(search(wire_of(board)))
-    assert found.settings.line == LineSettings(chosen // 2)
-    assert f"set to {chosen} baud" in found.note
+@pytest.mark.parametrize("baud", [28800, 38400])
+def test_half_baud_rate_of_old_firmware_is_explained(baud: int) -> None:
+    board = Board("trex", "1.1", eeprom=create_board(settings=LineSettings(baud).to_wire()).eeprom)
+    found = found_board(scan(wire_of(board)))
+    assert found.settings.line == LineSettings(baud // 2)
+    assert f"set to {baud} baud" in found.note
 
 
 def test_line_settings_pending_power_cycle_are_reported() -> None:
@@ -421,46 +399,42 @@ def test_other_polynomial_is_found_only_by_full_scan() -> None:
     line = LineSettings(19200, Detection.CRC7)
     for polynomial in (0x83, 0xFF):
         board = create_board(settings=line.to_wire(), crc7_polynomial=polynomial & 0x7F)
-        assert not search(wire_of(board)).found
-        found = only(search(wire_of(board), full=True))
+        assert not scan(wire_of(board)).found
+        found = found_board(scan(wire_of(board), full=True))
         assert found.settings == ConnectionSettings("virtual", line, polynomial=polynomial)
 
 
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
 def test_boards_on_one_line_are_found_by_number(model: str) -> None:
     boards = [create_board(9), create_board(12, model=model)]
-    found = search(wire_of(*boards)).found
+    found = scan(wire_of(*boards)).found
     name = {"trex": "TReX 1.2", "trexjr": "TReX Jr 1.2"}[model]
     assert [(board.name, board.device_number) for board in found] == [("TReX 1.2", 9), (name, 12)]
 
 
 def test_board_with_unique_number_is_found_among_duplicates() -> None:
     boards = [create_board(9), create_board(9, model="trexjr"), create_board(12)]
-    found = only(search(wire_of(*boards)))
+    found = found_board(scan(wire_of(*boards)))
     assert (str(found.signature), found.settings.device_number) == ("TReX 1.2", 12)
 
 
-def test_boards_that_share_a_number_are_recognised() -> None:
+def test_boards_that_share_a_device_number_are_reported() -> None:
     diagnosis = diagnosis_of(wire_of(create_board(9), create_board(9, model="trexjr")))
     assert "Several boards reply at once" in diagnosis
 
 
-def test_echo_without_reply_is_reported() -> None:
+@pytest.mark.parametrize(
+    ("echo", "words"), [(True, ["comes back"]), (False, ["No TReX responds on virtual", "power"])]
+)
+def test_missing_reply_is_explained(words: list[str], *, echo: bool) -> None:
     board = create_board()
     board.power_off()
-    assert "comes back" in diagnosis_of(wire_of(board, echo=True))
-
-
-def test_missing_reply_diagnosis_suggests_checking_power() -> None:
-    board = create_board()
-    board.power_off()
-    diagnosis = diagnosis_of(wire_of(board))
-    assert "No TReX responds on virtual" in diagnosis
-    assert "power" in diagnosis
+    diagnosis = diagnosis_of(wire_of(board, echo=echo))
+    assert all(word in diagnosis for word in words)
 
 
 @pytest.mark.parametrize("full", [False, True])
-def test_board_waiting_for_firmware_ends_the_search(*, full: bool) -> None:
+def test_board_in_boot_loader_ends_the_scan(*, full: bool) -> None:
     board = create_board()
     board.mode_jumper, board.mix, board.so_ground = "serial", True, True
     board.power_off()
@@ -477,18 +451,18 @@ def test_board_waiting_for_firmware_ends_the_search(*, full: bool) -> None:
 
 def test_unsupported_baud_rates_are_skipped() -> None:
     wire = wire_of(create_board(settings=LineSettings(4800).to_wire()))
-    wire.unable = frozenset({14400, 76800})
-    assert only(search(wire)).settings.line == LineSettings(4800)
+    wire.unsupported_rates = frozenset({14400, 76800})
+    assert found_board(scan(wire)).settings.line == LineSettings(4800)
 
 
-def test_port_loss_ends_search() -> None:
+def test_port_loss_ends_scan() -> None:
     wire = wire_of(create_board())
-    wire.fail = PortUnavailable("It is gone.")
-    assert isinstance(search(wire).error, PortUnavailable)
+    wire.fail = PortUnavailable("The port is lost.")
+    assert isinstance(scan(wire).error, PortUnavailable)
     assert wire.closed
 
 
-def test_search_finds_board_on_noisy_line() -> None:
+def test_scan_finds_board_on_noisy_line() -> None:
     wire = wire_of(create_board(settings=LineSettings(1200).to_wire()))
     wire.line.faults.noise = 0.02
     assert found_board(scan(wire)).settings.line.baud == 1200
@@ -502,7 +476,7 @@ class PolledWire(Wire):
         return super().read(size, seconds)
 
 
-def test_replies_to_another_master_are_no_answers() -> None:
+def test_replies_to_another_host_find_no_further_boards() -> None:
     client = TrexClient(PolledWire(SimulatedBoards([create_board()])), VIRTUAL)
     found = boards_by_number(client, lambda _number: None, lambda: False)
     assert {board.device_number for board in found} <= {7}
@@ -550,7 +524,7 @@ def test_connection_probes_start_no_motor_at_any_rate(
 
 
 def test_misread_packets_can_start_a_motor() -> None:
-    """The danger is real: else the test above would say nothing."""
+    """Without this danger, the test above would show nothing."""
     board = create_board()
     line = SimulatedBoards([board])
     line.host = LineSettings(38400)

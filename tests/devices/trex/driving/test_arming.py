@@ -48,7 +48,7 @@ def test_setpoints_after_stop_are_dropped_until_armed(harness: SessionHarness) -
     harness.script.at(1.2, SetMotor(1, Drive.at(80))).at(2.5, SetMotor(1, Drive.at(40)))
     dropped = read_at(harness, 2.8, lambda: is_stopped(harness.board))
     harness.script.at(3.0, Arm()).at(3.0, SetMotor(1, Drive.at(50)))
-    speeds = seen_at(harness, 3.2, lambda: harness.board.motors[0].speed)
+    speeds = read_at(harness, 3.2, lambda: harness.board.motors[0].speed)
     run_for(harness, 3.5)
     assert dropped == [True], "a setpoint after the stop has no effect"
     assert speeds == [50]
@@ -65,7 +65,7 @@ def test_armed_motors_stop_after_heartbeat_timeout(harness: SessionHarness) -> N
     reports = run_for(harness, 3.0)
     assert before == [80]
     assert after == [True]
-    (stopped,) = among(reports, MotorsStopped)
+    (stopped,) = of_type(reports, MotorsStopped)
     assert stopped.confirmed
     assert stopped.reason is ErrorCode.NO_HEARTBEAT
     assert is_stopped(harness.board), "late setpoints are ignored"
@@ -105,7 +105,7 @@ def test_stop_while_connecting_waits_for_one_transaction(
 ) -> None:
     """Covers all of opening: echo probes, signature, mode, parameters, calibrations."""
     opening = {1200: 3.0, 19200: 0.4, 115200: 0.2}[baud]
-    harness, settings = staged(baud, echo=echo)
+    harness, settings = create_harness(baud, echo=echo)
     limit = settings.line.seconds(16) + harness.transport.latency + 0.01
     requested = 0.001 + share * opening
     harness.script.at(requested, Stop(1))
@@ -145,7 +145,7 @@ def no_request() -> None:
 def test_requested_motor_command_never_follows_stop() -> None:
     """The stop may arrive before the command is sent, or later."""
     for reads in range(4):
-        harness = staged()[0]
+        harness = create_harness()[0]
         run_session(
             harness,
             Arm,
@@ -156,7 +156,7 @@ def test_requested_motor_command_never_follows_stop() -> None:
             Close,
         )
         assert outcomes(harness.reports)[6].error is None
-        assert among(harness.reports, Closed) == [Closed(None, may_move=False)]
+        assert of_type(harness.reports, Closed) == [Closed(None, may_move=False)]
         assert is_stopped(harness.board)
 
 
@@ -185,9 +185,9 @@ def test_stop_while_board_returns_gets_its_outcome(harness: SessionHarness, seco
     harness.script.at(2.0, harness.fault(mute=True)).at(2.7, Stop(7))
     harness.script.at(2.75, harness.fault(mute=False))
     harness.script.at(2.75 + seconds, harness.fault(mute=True))
-    has_outcome = seen_at(harness, 10.0, lambda: 7 in outcomes(harness.reports))
+    has_outcome = read_at(harness, 10.0, lambda: 7 in outcomes(harness.reports))
     run_for(harness, 10.1)
-    assert among(harness.reports, NotResponding)
+    assert of_type(harness.reports, NotResponding)
     assert has_outcome == [True]
 
 

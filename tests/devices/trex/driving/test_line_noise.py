@@ -77,7 +77,7 @@ def test_released_motor_stops_soon_on_noisy_line(
 
 def test_poll_corrupted_into_motor_command_is_undone_at_once(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.5, lambda: turn_poll_into_command(harness))
-    pulses(harness, 1.5, 2.5)
+    schedule_heartbeats(harness, 1.5, 2.5)
     started: list[float] = []
     drive = harness.board.serial.drive
 
@@ -88,7 +88,7 @@ def test_poll_corrupted_into_motor_command_is_undone_at_once(harness: SessionHar
         drive(number, direction, speed, accelerate=accelerate)
 
     harness.board.serial.drive = record  # type: ignore[method-assign]
-    braked = seen_at(harness, 2.9, lambda: is_braked(harness))
+    braked = read_at(harness, 2.9, lambda: is_braked(harness))
     run_for(harness, 3.0)
     assert braked == [True]
     assert started[1] - started[0] < 0.06
@@ -97,7 +97,7 @@ def test_poll_corrupted_into_motor_command_is_undone_at_once(harness: SessionHar
 def test_confirmed_setpoint_is_not_resent(harness: SessionHarness) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(50))).at(2.0, SetMotor(1, Drive.brake(127)))
     run_for(harness, 4.0)
-    sent = moving(harness.transport.sent)
+    sent = motor_commands_in(harness.transport.sent)
     assert sent.count(DriveMotor(1, Drive.at(50))) == 1, "a repetition bypasses the current limiter"
     assert sent.count(DriveMotor(1, Drive.brake(127))) == 2
 
@@ -106,16 +106,16 @@ def test_brake_is_repeated_until_line_is_quiet(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
     schedule_heartbeats(harness, 1.5, 2.8)
     harness.script.at(3.0, harness.fault(to_drop=1))
-    pulses(harness, 3.0, 8.5)
+    schedule_heartbeats(harness, 3.0, 8.5)
     quiet, after = (
-        seen_at(harness, moment, lambda: len(harness.transport.sent)) for moment in (8.6, 8.8)
+        read_at(harness, moment, lambda: len(harness.transport.sent)) for moment in (8.6, 8.8)
     )
     run_for(harness, 9.0)
     brake = DriveMotor(1, Drive.brake(127))
-    sent = moving(harness.transport.sent[: quiet[0]])
+    sent = motor_commands_in(harness.transport.sent[: quiet[0]])
     assert 100 <= sent.count(brake) <= 300
     assert quiet[0] < after[0]
-    assert not moving(harness.transport.sent[quiet[0] : after[0]])
+    assert not motor_commands_in(harness.transport.sent[quiet[0] : after[0]])
 
 
 @pytest.mark.parametrize("requests", [(), (Stop(1),)])
@@ -138,7 +138,7 @@ def test_line_error_brakes_stopped_board_until_line_is_quiet(harness: SessionHar
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.2, Stop(1))
     harness.script.at(1.5, SetWatched(False))  # polls end, so the line stays noisy
     harness.script.at(5.0, lambda: turn_poll_into_command(harness))
-    braked = seen_at(harness, 5.1, lambda: is_braked(harness))
+    braked = read_at(harness, 5.1, lambda: is_braked(harness))
     moments = (10.5, 12.5)
     quiet, after = (
         read_at(harness, moment, lambda: len(harness.transport.sent)) for moment in moments
@@ -229,8 +229,8 @@ def test_unconfirmed_stop_on_bad_line_is_reported(harness: SessionHarness) -> No
 def test_unconfirmed_stop_is_reported_when_driving_again(harness: SessionHarness) -> None:
     harness.script.at(1.4, harness.fault(to_drop=1)).at(1.5, Stop(1))
     harness.script.at(1.7, Arm()).at(1.7, SetMotor(1, Drive.at(30)))
-    results = seen_at(harness, 1.9, lambda: outcomes(harness.reports))
-    speeds = seen_at(harness, 1.9, lambda: harness.board.motors[0].speed)
+    results = read_at(harness, 1.9, lambda: outcomes(harness.reports))
+    speeds = read_at(harness, 1.9, lambda: harness.board.motors[0].speed)
     run_for(harness, 2.0)
     assert isinstance(results[0][1].error, NoReply)
     assert speeds == [30]
@@ -276,11 +276,11 @@ def test_motor_stopped_by_board_is_not_restarted(
         harness.board.serial.stop_motors()
 
     harness.script.at(1.0, SetMotor(1, Drive.at(50))).at(1.01, stop_itself)
-    mark = seen_at(harness, 1.01, lambda: len(harness.transport.sent))
-    stopped = seen_at(harness, 2.9, lambda: is_stopped(harness.board))
+    mark = read_at(harness, 1.01, lambda: len(harness.transport.sent))
+    stopped = read_at(harness, 2.9, lambda: is_stopped(harness.board))
     run_for(harness, 3.0)
     assert stopped == [True]
-    assert DriveMotor(1, Drive.at(50)) not in moving(harness.transport.sent[mark[0] :])
+    assert DriveMotor(1, Drive.at(50)) not in motor_commands_in(harness.transport.sent[mark[0] :])
 
 
 def test_setpoint_is_resent_after_error_shutdown_is_turned_off(harness: SessionHarness) -> None:
@@ -306,13 +306,13 @@ def test_setpoint_repetition_ends_at_time_limit() -> None:
 
     for step in range(350):
         if step % 10 == 0:
-            pulses(harness, 1.01 + step * 0.02, 1.01 + step * 0.02)
+            schedule_heartbeats(harness, 1.01 + step * 0.02, 1.01 + step * 0.02)
         harness.script.at(1.01 + step * 0.02, report_parity_error)
-    limit = seen_at(harness, 1.2 + MAX_RETRY_SECONDS, lambda: len(harness.transport.sent))
+    limit = read_at(harness, 1.2 + MAX_RETRY_SECONDS, lambda: len(harness.transport.sent))
     run_for(harness, 8.9)
     setpoint = DriveMotor(1, Drive.at(50))
-    assert moving(harness.transport.sent[: limit[0]]).count(setpoint) > 10
-    assert setpoint not in moving(harness.transport.sent[limit[0] :])
+    assert motor_commands_in(harness.transport.sent[: limit[0]]).count(setpoint) > 10
+    assert setpoint not in motor_commands_in(harness.transport.sent[limit[0] :])
 
 
 # --- Arming and silence -----------------------------------------------------------------

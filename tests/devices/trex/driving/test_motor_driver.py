@@ -5,7 +5,7 @@ import math
 
 import pytest
 
-from tests.devices.trex.session.helpers import moving, staged
+from tests.devices.trex.session.helpers import create_harness, motor_commands_in
 from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
@@ -31,7 +31,7 @@ class MotorsHarness:
     """`MotorDriver` connected to a simulated board, and its reports."""
 
     def __init__(self) -> None:
-        harness, _ = staged()
+        harness, _ = create_harness()
         self.board, self.line, self.transport = harness.board, harness.line, harness.transport
         self.reports: list[Outcome | MotorReport] = []
         self.motors = MotorOutput(self.reports.append)
@@ -79,7 +79,7 @@ def test_newest_setpoint_is_sent_and_next_one_waits(harness: MotorsHarness) -> N
     harness.set(SetMotor(1, Drive.at(10)))
     assert harness.driver.seconds_to_drive() <= 0
     harness.drive(20)
-    assert moving(harness.transport.sent) == [DriveMotor(1, Drive.at(20))]
+    assert motor_commands_in(harness.transport.sent) == [DriveMotor(1, Drive.at(20))]
     assert harness.motors.may_move
     harness.set(SetMotor(1, Drive.at(30)))
     seconds = harness.driver.seconds_to_drive()
@@ -91,7 +91,7 @@ def test_lost_setpoint_is_resent(harness: MotorsHarness) -> None:
     harness.drive(20)
     assert harness.board.motors[0].target_speed == 0
     harness.advance(4.0)
-    sent = moving(harness.transport.sent)
+    sent = motor_commands_in(harness.transport.sent)
     assert sent == [DriveMotor(1, Drive.at(20))] * (1 + len(REPEATS))
     assert harness.board.motors[0].target_speed == 20
     assert harness.driver.seconds_to_drive() == math.inf
@@ -103,7 +103,7 @@ def test_newer_setpoint_replaces_unconfirmed_one(harness: MotorsHarness) -> None
     harness.set(SetAuxiliary(9))
     harness.set(SetMotor(1, Drive.at(30)))
     harness.advance(4.0)
-    sent = moving(harness.transport.sent)
+    sent = motor_commands_in(harness.transport.sent)
     assert sent[:2] == [DriveMotor(1, Drive.at(20))] * 2
     assert sent[2:] == [DriveMotor(1, Drive.at(30)), DriveAuxiliary(9)] * (1 + len(REPEATS))
 
@@ -137,7 +137,7 @@ def test_unanswered_stop_is_repeated_and_reported(harness: MotorsHarness) -> Non
     assert isinstance(outcome.error, NoReply)
     assert "cut its power" in str(outcome.error)
     assert harness.motors.may_move
-    assert moving(harness.transport.sent).count(STOP[0]) >= 10
+    assert motor_commands_in(harness.transport.sent).count(STOP[0]) >= 10
 
 
 def test_stop_is_queued_again_when_port_is_lost(harness: MotorsHarness) -> None:
@@ -155,7 +155,7 @@ def test_unresponsive_board_gets_a_stop_only_if_driven(harness: MotorsHarness) -
     assert not harness.transport.sent
     harness.drive(90)
     harness.driver.stop_without_reply()
-    assert len(moving(harness.transport.sent)) == 3
+    assert len(motor_commands_in(harness.transport.sent)) == 3
 
 
 # --- Transitions without a line ---------------------------------------------------------

@@ -37,7 +37,7 @@ def driving(
     seconds: float, baud: int = 19200, model: str = "trex", *, ramp: int = 0
 ) -> tuple[SessionHarness, list[tuple[float, object]]]:
     """Return a harness and the steps of a script that drives motor 1 from 2 s on."""
-    harness, _ = staged(baud, model=model)
+    harness, _ = create_harness(baud, model=model)
     harness.board.eeprom.write("motor1_acceleration", ramp)
     harness.board.power_cycle()
     harness.transport.latency = latency_of("/dev/ttyUSB0")
@@ -55,10 +55,10 @@ def test_restart_while_driving_disarms_the_motors(
     harness.board.physics[0].load = load
     steps += [(2.0 + moment, harness.board.power_off), (2.0 + moment + gap, harness.board.power_on)]
     schedule(harness, steps)
-    stopped = seen_at(harness, 5.4, lambda: is_stopped(harness.board))
-    reports = run_for(harness, 5.5, staged(baud)[1])
-    reasons = [stop.reason for stop in among(reports, MotorsStopped) if stop.confirmed]
-    assert reasons == [ErrorCode.MAY_HAVE_RESTARTED] or among(reports, NotResponding)
+    stopped = read_at(harness, 5.4, lambda: is_stopped(harness.board))
+    reports = run_for(harness, 5.5, create_harness(baud)[1])
+    reasons = [stop.reason for stop in of_type(reports, MotorsStopped) if stop.confirmed]
+    assert reasons == [ErrorCode.MAY_HAVE_RESTARTED] or of_type(reports, NotResponding)
     assert stopped == [True]
 
 
@@ -66,10 +66,10 @@ def test_restart_while_driving_disarms_the_motors(
 def test_restart_during_a_ramp_leaves_the_motors_stopped(ramp: int) -> None:
     harness, steps = driving(5.0, ramp=ramp)
     schedule(harness, [*steps, (5.0, harness.board.power_cycle)])
-    stopped = seen_at(harness, 5.5, lambda: is_stopped(harness.board))
+    stopped = read_at(harness, 5.5, lambda: is_stopped(harness.board))
     reports = run_for(harness, 6.0)
     assert stopped == [True]
-    assert among(reports, MotorsStopped)[0].reason is ErrorCode.MAY_HAVE_RESTARTED
+    assert of_type(reports, MotorsStopped)[0].reason is ErrorCode.MAY_HAVE_RESTARTED
 
 
 def test_mode_change_stops_motors_and_drops_setpoints(harness: SessionHarness) -> None:
@@ -82,8 +82,8 @@ def test_mode_change_stops_motors_and_drops_setpoints(harness: SessionHarness) -
         if step == 10:
             harness.script.at(1.5, restart)
         harness.script.at(1.0 + step / 20, SetMotor(1, Drive.at(60 + step % 40)))
-    stopped = seen_at(harness, 4.5, lambda: is_stopped(harness.board))
-    last = among(run_for(harness, 5.0), Connected)[-1]
+    stopped = read_at(harness, 4.5, lambda: is_stopped(harness.board))
+    last = of_type(run_for(harness, 5.0), Connected)[-1]
     assert (last.occasion, last.may_move) == (ReadReason.RESTARTED, False)
     assert stopped == [True]
 
@@ -95,7 +95,7 @@ def test_fluctuating_current_is_not_taken_for_a_restart() -> None:
         (3.0 + step * 0.12, partial(force, 1, 0.15 if step % 2 else 0.48)) for step in range(14)
     ]
     schedule(harness, steps)
-    assert not among(run_for(harness, 4.9), MotorsStopped)
+    assert not of_type(run_for(harness, 4.9), MotorsStopped)
 
 
 def test_motor_without_current_keeps_running() -> None:
@@ -104,16 +104,16 @@ def test_motor_without_current_keeps_running() -> None:
     force = harness.board.force_current
     steps += [(3.0, lambda: force(1, 0.0)), (3.6, lambda: force(1, None))]
     schedule(harness, steps)
-    speed = seen_at(harness, 4.9, lambda: harness.board.motors[0].speed)
-    assert not among(run_for(harness, 5.0), MotorsStopped)
+    speed = read_at(harness, 4.9, lambda: harness.board.motors[0].speed)
+    assert not of_type(run_for(harness, 5.0), MotorsStopped)
     assert speed == [38]
 
 
 def test_lost_reply_is_not_taken_for_a_restart() -> None:
     harness, steps = driving(3.0)
     schedule(harness, [*steps, (3.0, harness.fault(to_drop=1))])
-    speed = seen_at(harness, 4.9, lambda: harness.board.motors[0].speed)
-    assert not among(run_for(harness, 5.0), MotorsStopped)
+    speed = read_at(harness, 4.9, lambda: harness.board.motors[0].speed)
+    assert not of_type(run_for(harness, 5.0), MotorsStopped)
     assert speed == [38]
 
 

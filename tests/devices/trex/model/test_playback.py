@@ -101,8 +101,8 @@ def test_progress_of_reading_is_reported(long_file: Path, qtbot: QtBot) -> None:
 
 def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) -> None:
     random = Random(3)
-    places = [random.uniform(0, 60) for _ in range(30)]
-    straight = BoardSnapshot.at_start(HEADER)
+    seconds = [random.uniform(0, 60) for _ in range(30)]
+    state = BoardSnapshot.at_start(HEADER)
     records = deque(drive_records(60))
     expected: dict[float, BoardSnapshot] = {}
     for second in sorted(seconds):
@@ -124,7 +124,7 @@ def test_late_marker_does_not_disturb_seeking(playback_of: PlaybackOf) -> None:
         assert playback.state_at(T0 + second)[Control].by_serial == (second % 2 == 0)
 
 
-def test_traces_hold_every_pair_of_currents(minute: Playback) -> None:
+def test_traces_have_every_pair_of_currents(minute: Playback) -> None:
     currents = [record for record in drive_records(60) if isinstance(record, Currents)]
     times, columns = minute.traces.samples(minute.start, minute.end)
     assert times.tolist() == [record.time for record in currents]
@@ -342,11 +342,7 @@ def test_only_the_last_samples_of_a_long_recording_are_drawn(
     playback_of: PlaybackOf, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trex_gui.devices.trex.model.playback.MAX_ROWS", 1000)
-    path = tmp_path / "a.trexrec"
-    write(path, list(drive_records(30)))
-    playback = Playback(open_recording(path))
-    with qtbot.waitSignal(playback.loaded):
-        playback.start_loading()
+    playback = playback_of(*drive_records(30))
     currents = [record for record in drive_records(30) if isinstance(record, Currents)]
     assert playback.drawn == (1000, len(currents))
     times, _ = playback.traces.samples(playback.start, playback.end)

@@ -178,7 +178,7 @@ def test_rejected_wire_value_names_parameter_value_and_limits(model: str) -> Non
         with pytest.raises(BadRequest) as caught:
             spec.check(wire)
         sentence = str(caught.value)
-        assert sentence.startswith(f"{spec.name} is ")
+        assert sentence.startswith(f"{spec.name} must be ")
         assert sentence.endswith(f"not {wire}")
         limits = {
             ParameterKind.CHANNELS: ["1 to 5", "0 to 31"],

@@ -17,8 +17,8 @@ from typing import Any
 import pytest
 import zenoh
 
-from tests.devices.trex.cli.conftest import comes_true
 from tests.devices.trex.conftest import STOPPED, motor, running_script, target_speeds
+from tests.devices.trex.simulator.waiting import comes_true
 from tests.support.patient import PATIENT
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui import Trex, TrexLine

@@ -6,9 +6,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
-from tests.devices.trex.session.helpers import outcomes, run_for
-from tests.devices.trex.simulator.ports import create_board
-from tests.support.virtual import SessionHarness
+from tests.devices.trex.session.helpers import TwoBoards, outcomes, run_for
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -34,8 +32,7 @@ class GroupHarness(TwoBoards):
     """Boards 7 and 9 on one line, driven together from `OPENED`."""
 
     def __init__(self) -> None:
-        self.seventh, self.ninth = create_board(7), create_board(9)
-        super().__init__(self.seventh, self.ninth)
+        super().__init__()
         self.boards = {7: self.seventh, 9: self.ninth}
 
     def drive(

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from enum import Enum
 from typing import Any, TypeVar, cast
 
-from tests.devices.trex.simulator.ports import a_board
+from tests.devices.trex.simulator.ports import create_board
 from tests.support.virtual import SessionHarness, VirtualTransport
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.client.client import Requester
@@ -164,7 +164,7 @@ class TwoBoards(SessionHarness):
     """Boards 7 and 9 on one line."""
 
     def __init__(self) -> None:
-        self.seventh, self.ninth = a_board(7), a_board(9)
+        self.seventh, self.ninth = create_board(7), create_board(9)
         super().__init__(self.seventh, self.ninth)
 
 

@@ -51,13 +51,7 @@ SEVENTH = replace(COMPACT, device_number=7)
 FORWARD = SetMotor(1, Drive.at(90))
 
 
-class Line(SessionHarness):
-    """Boards 7 and 9 on one line."""
-
-    def __init__(self) -> None:
-        self.seventh, self.ninth = create_board(7), create_board(9)
-        super().__init__(self.seventh, self.ninth)
-
+class Line(TwoBoards):
     @property
     def packets(self) -> list[Packet]:
         return of_type(PacketParser().feed(bytes(self.transport.sent)), Packet)
@@ -259,7 +253,7 @@ def test_probe_is_rejected_while_motors_are_armed(line: Line) -> None:
     assert error_code(reports, 1) is ErrorCode.OTHERS_WHILE_DRIVING
 
 
-def test_two_boards_with_one_number_are_unreadable() -> None:
+def test_probe_of_a_number_that_two_boards_share_fails() -> None:
     harness = SessionHarness(create_board(7), create_board(9), create_board(9, model="trexjr"))
     harness.script.at(1.0, ProbeNumber(1, 9, attempts=2))
     reports = run_for(harness, 2.0, SEVENTH)

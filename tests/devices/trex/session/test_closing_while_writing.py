@@ -42,8 +42,8 @@ VIA_FACTORY_LINE = Case(
 )
 SLOWEST = line_and_polynomial(wire(1200, Detection.CRC7, 2), 0x33, FAST, 0x44)
 
-CLOSED = {
-    "everything": Case(all_parameters("1.2")[-6:], CALIBRATIONS[:1]),
+CLOSED_CASES = {
+    "all_parameters": Case(all_parameters("1.2")[-6:], CALIBRATIONS[:1]),
     "CRC off": CASES["CRC off"],
     "via factory line settings": VIA_FACTORY_LINE,
 }
@@ -73,7 +73,7 @@ class SessionWrite:
 def run(attempt: InterruptedWrite) -> SessionWrite:
     settings = attempt.case.link(attempt.case.before)
     attempt.harness.line.host = settings.line
-    return Writing(attempt, timed_run(attempt.harness, settings))
+    return SessionWrite(attempt, timed_run(attempt.harness, settings))
 
 
 def scheduled_write(case: Case) -> InterruptedWrite:
@@ -93,18 +93,18 @@ def run_to_outcome(attempt: InterruptedWrite) -> SessionWrite:
     return writing
 
 
-def closed_at(case: Case, moment: float) -> Writing:
-    attempt = begun(case)
+def close_at(case: Case, moment: float) -> SessionWrite:
+    attempt = scheduled_write(case)
     attempt.harness.script.at(moment, Close())
-    return taken(run(attempt))
+    return run_to_outcome(attempt)
 
 
 @cache
 def moments(case: Case) -> tuple[float, ...]:
     """Return moments from the start to the end of an undisturbed write."""
-    attempt = begun(case)
+    attempt = scheduled_write(case)
     attempt.harness.script.at(10.0 if case == SLOWEST else 3.0, Close())
-    writing = taken(run(attempt))
+    writing = run_to_outcome(attempt)
     assert attempt.stored == case.after
     start, end = writing.time_of(Connected), writing.time_of(Outcome)
     return tuple(start + STEP * (number + 1) for number in range(int((end - start) / STEP)))
@@ -139,7 +139,7 @@ def test_close_reports_each_setting_and_splits_no_pair(name: str, first: int) ->
 
 
 def test_skipped_settings_can_be_written_later() -> None:
-    case = CLOSED_CASES["everything"]
+    case = CLOSED_CASES["all_parameters"]
     for moment in moments(case)[::15]:
         writing = close_at(case, moment)
         attempt = writing.attempt.run()
@@ -148,9 +148,9 @@ def test_skipped_settings_can_be_written_later() -> None:
 
 
 def test_close_cancels_write_that_has_not_started() -> None:
-    attempt = begun(CLOSED["everything"])
+    attempt = scheduled_write(CLOSED_CASES["all_parameters"])
     attempt.harness.script.at(0.0, Close())
-    assert "closed before this was done" in str(run(attempt).outcome.error)
+    assert "closed before this was complete" in str(run(attempt).outcome.error)
     assert attempt.stored == attempt.case.before
 
 
@@ -172,7 +172,7 @@ def test_close_does_not_wait_long_for_unresponsive_board() -> None:
         attempt = scheduled_write(VIA_FACTORY_LINE)
         attempt.at(moment, attempt.board.power_off)
         attempt.harness.script.at(moment, Close())
-        writing = taken(run(attempt))
+        writing = run_to_outcome(attempt)
         require_order(attempt, lost=2)
         failed = any(isinstance(result.error, NoReply | Skipped) for result in attempt.results)
         assert failed or attempt.stored == attempt.case.after  # the power loss follows the write
@@ -182,24 +182,25 @@ def test_close_does_not_wait_long_for_unresponsive_board() -> None:
 # --- Motors -----------------------------------------------------------------------------
 
 
-def driven(case: Case, moment: float) -> InterruptedWrite:
-    attempt = begun(case)
+def scheduled_drive(case: Case, moment: float) -> InterruptedWrite:
+    """Return an attempt whose script drives a motor, and closes at a moment."""
+    attempt = scheduled_write(case)
     attempt.harness.script.at(moments(case)[0], SetMotor(1, Drive.at(100)))
     attempt.harness.script.at(moment, Close())
     return attempt
 
 
-def stopped_first(attempt: InterruptedWrite, moment: float) -> Writing:
-    """Run. The first packet after the moment must be a stop."""
+def run_to_stop(attempt: InterruptedWrite, moment: float) -> SessionWrite:
+    """Run the script. The first packet after the moment must be a stop."""
     attempt.at(moment, attempt.harness.transport.sent.clear)
-    writing = taken(run(attempt))
+    writing = run_to_outcome(attempt)
     require_order(attempt, lost=0)
     assert tuple(commands(attempt.harness.transport.sent)[: len(STOP)]) == STOP
     return writing
 
 
 def test_close_stops_motors_before_remaining_writes() -> None:
-    case = CLOSED_CASES["everything"]
+    case = CLOSED_CASES["all_parameters"]
     for moment in moments(case)[10::5]:
         attempt = scheduled_drive(case, moment)
         writing = run_to_stop(attempt, moment)
@@ -208,19 +209,19 @@ def test_close_stops_motors_before_remaining_writes() -> None:
 
 
 def test_close_sends_one_confirmed_stop() -> None:
-    case = CLOSED_CASES["everything"]
+    case = CLOSED_CASES["all_parameters"]
     attempt = scheduled_drive(case, moments(case)[20])
     run(attempt)
-    sent = moving(attempt.harness.transport.sent)
+    sent = motor_commands_in(attempt.harness.transport.sent)
     stops = [command for command in sent if command in STOP]
-    assert len(stops) == 2 * len(STOP)  # two rounds are the proof
+    assert len(stops) == 2 * len(STOP)  # the second confirms the first
     assert GetStatus() in commands(attempt.harness.transport.sent)
 
 
 def test_close_drops_setpoints_during_remaining_writes() -> None:
     case = VIA_FACTORY_LINE
     for moment in moments(case)[::5]:
-        attempt = begun(case)
+        attempt = scheduled_write(case)
         script = attempt.harness.script.at(moment, SetMotor(1, Drive.at(100))).at(moment, Close())
         script.at(moment, SetMotor(2, Drive.at(100))).at(moment + 0.01, SetAuxiliary(100))
         writing = run(attempt)
@@ -230,9 +231,9 @@ def test_close_drops_setpoints_during_remaining_writes() -> None:
 
 
 def test_stop_at_close_is_sent_first_and_confirmed() -> None:
-    case = CLOSED_CASES["everything"]
+    case = CLOSED_CASES["all_parameters"]
     for moment in moments(case)[::10]:
-        attempt = begun(case)
+        attempt = scheduled_write(case)
         attempt.harness.script.at(moment, Stop(2)).at(moment, Close())
-        writing = stopped_first(attempt, moment)
+        writing = run_to_stop(attempt, moment)
         assert outcomes(report for _, report in writing.reports)[2].error is None

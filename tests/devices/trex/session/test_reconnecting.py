@@ -6,7 +6,15 @@ from itertools import pairwise
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, outcomes, packet, staged
+from tests.devices.trex.discovery.test_prober import ALL_LINES
+from tests.devices.trex.session.helpers import (
+    create_harness,
+    of_type,
+    on_write,
+    outcomes,
+    packet,
+    read_at,
+)
 from tests.devices.trex.simulator.ports import create_board
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness

@@ -10,7 +10,7 @@ from dataclasses import replace
 import pytest
 
 from tests.devices.trex.discovery.test_prober import Wire, wire_of
-from tests.devices.trex.session.helpers import outcomes, run_for
+from tests.devices.trex.session.helpers import error_code, outcomes, run_for
 from tests.devices.trex.simulator.ports import create_board
 from tests.support.virtual import SessionHarness
 from trex_gui.core.discovery.scan import PortScan, scan_port
@@ -55,7 +55,9 @@ class SharedLineHarness(SessionHarness):
 def test_session_addresses_one_board_in_every_packet(
     settings: ConnectionSettings, echo: bool
 ) -> None:
-    harness = TunedHarness(create_board(7, settings.line.to_wire(), serial_timeout=5), echo=echo)
+    harness = SharedLineHarness(
+        create_board(7, settings.line.to_wire(), serial_timeout=5), echo=echo
+    )
     harness.script.at(1.5, Write(1, (("device_number", 9),)))
     harness.script.at(2.0, ProbeNumber(2, 9)).at(2.1, ProbeNumber(3, 0))
     harness.script.at(2.5, Arm()).at(2.6, SetMotor(1, Drive.at(90))).at(2.9, Stop(4))
@@ -70,15 +72,15 @@ def test_session_addresses_one_board_in_every_packet(
 
 
 @pytest.mark.parametrize("settings", [SHARED, CRC], ids=["plain", "CRC"])
-def test_board_that_may_move_is_stopped_alone(settings: ConnectionSettings) -> None:
-    harness = TunedHarness(create_board(7, settings.line.to_wire()))
+def test_stop_of_board_that_may_move_reaches_only_this_board(settings: ConnectionSettings) -> None:
+    harness = SharedLineHarness(create_board(7, settings.line.to_wire()))
     harness.script.at(2.0, Stop(1))
     assert outcomes(harness.run(settings, may_move=True))[1].error is None
     assert device_numbers(harness.transport.sent) == {7}
 
 
-def test_failed_connection_is_followed_by_no_probes() -> None:
-    harness = TunedHarness(create_board(8))
+def test_failed_connection_sends_no_probes() -> None:
+    harness = SharedLineHarness(create_board(8))
     run_for(harness, 30.0, CRC)
     assert device_numbers(harness.transport.sent) == {7}
 
@@ -104,10 +106,10 @@ def scan(wire: Wire, settings: ConnectionSettings) -> PortScan:
 
 @pytest.mark.parametrize("settings", [SHARED, CRC], ids=["plain", "CRC"])
 @pytest.mark.parametrize("number", [7, 8])
-def test_search_sends_one_addressed_query(settings: ConnectionSettings, number: int) -> None:
+def test_scan_sends_only_addressed_queries(settings: ConnectionSettings, number: int) -> None:
     wire = wire_of(create_board(number, settings.line.to_wire()))
-    found = [device.settings for device in search(wire, settings).found]
-    assert addressed(wire.sent) == {7}
+    found = [device.settings for device in scan(wire, settings).found]
+    assert device_numbers(wire.sent) == {7}
     assert found == ([settings] if number == 7 else [])
 
 

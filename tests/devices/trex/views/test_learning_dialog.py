@@ -33,7 +33,7 @@ def test_rest_position_of_a_held_stick_can_be_corrected(learning: LearningDialog
     learning.transmitter.put(1, 0.2)
     learning.wait(lambda: learning.device.telemetry.raw_of(1) == 4000)
     learning.go_to_review(1)
-    assert "After release it rests at 1500 µs, not at 1600 µs" in learning.problem(1)
+    assert "After release the stick rests at 1500 µs, not at 1600 µs" in learning.problem(1)
     assert learning.button("learnUseRest1").text() == "Use 1500 µs &as neutral"
 
     learning.click("learnUseRest1")
@@ -87,7 +87,7 @@ def test_button_texts_follow_the_step(learning: LearningDialog) -> None:
     assert "Nothing is written yet" in learning.note
     learning.find(QCheckBox, "learnInclude1").click()
     learning.wait_for_note("No channel is selected")
-    assert not take.isEnabled()
+    assert not next_button.isEnabled()
 
 
 # --- The review -------------------------------------------------------------------------

@@ -49,7 +49,8 @@ def _records_of_a_minute() -> list[Record]:
         Marker(T0 + 30.0, "apply", "Apply: Device Number"),
         Marker(T0 + 45.0, "fault", "Motor 1 fault"),
     ]
-    plain = [r for r in drive_records(60) if not isinstance(r, SetpointRecord | Marker)]
+    hour = drive_records(60)
+    plain = [record for record in hour if not isinstance(record, SetpointRecord | Marker)]
     return sorted([*plain, *extra], key=lambda record: record.time)
 
 
@@ -214,7 +215,7 @@ def open_partly_read(path: Path, qtbot: QtBot) -> RecordingWindow:
 def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "long.trexrec"
     write_long_recording(path, 5)
-    window = half_read(path, qtbot)
+    window = open_partly_read(path, qtbot)
     assert window.has("recordingProgress")
     bar = window.find(QProgressBar, "recordingProgress")
     assert bar.text().startswith("Reading, ")

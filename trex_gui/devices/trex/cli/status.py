@@ -82,8 +82,9 @@ def status(as_json: bool, **options: Any) -> None:
     """Show the state of the board, its measurements and its parameters.
 
     Shows the errors that occurred since they were last read. Reading clears them in the board. The
-    measured currents may be off by 20 % (twin: documented for a board with the same motor drivers).
-    In the vendor's document, channel 3 has six bits, 0 to 63. The program reads seven (inferred).
+    measured currents may be off by 20 % (twin), as documented for a board with the same motor
+    drivers. In the vendor's document, channel 3 has six bits, 0 to 63. The program reads seven
+    (inferred).
 
     With --json, measurements are numbers with the unit in the key, as in `trexcmd stream` and in
     recordings. The motor currents are `motor_1_current_A` and `motor_2_current_A`. Each channel has

@@ -164,7 +164,10 @@ def test_safe_start_of_another_channel_prevents_passing(sticks: Callable[..., St
 def test_ignored_channel_is_named_and_need_not_pass(connect: Callable[..., Device]) -> None:
     inputs = Sticks(connect("eeprom ignored_channels 2"), 1, 2)
     inputs.hold()
-    assert inputs.text(2).startswith("Ignored: the board holds this channel at neutral.")
+    assert (
+        inputs.text(2)
+        == "Ignored: the board holds this channel at neutral. There is nothing to test."
+    )
     inputs.push(2)
     assert not inputs.passed()
     inputs.push(1)
@@ -210,8 +213,9 @@ def test_stick_result_names_missing_ends() -> None:
 def test_stick_passes_after_both_ends_and_rest() -> None:
     both = (127, 3), (-127, 3)
     assert stick_held_at(*both, (40, 1)).text.endswith("but it is +40.")
-    resting = "Full output reached. Let the stick rest for a moment."
-    assert stick_held_at(*both, (0, 5)).text == resting
+    assert (
+        stick_held_at(*both, (0, 5)).text == "Full output reached. Let the stick rest for a moment."
+    )
     at_rest = stick_held_at(*both, (0, 30))
     assert at_rest.passed
     assert at_rest.text == "Good."

@@ -78,8 +78,8 @@ def check_that_ctrl_c_stops_motors(program: Program, board: Board) -> None:
             process.communicate(timeout=30)
         if driven:
             break
-    assert drives
-    assert comes_true(lambda: board.braking == (127, 127))  # it may hear of it behind the end
+    assert driven
+    assert comes_true(lambda: board.braking == (127, 127))  # the stop may arrive after the end
 
 
 @pytest.mark.parametrize(
@@ -147,8 +147,8 @@ def test_demonstration_drives_slowly_and_ends_with_stop(
     program = prepared_program(tmp_path, settings, line, language, drive=True)
     speeds, output = run_demonstration(program, board)
     assert board.has(settings)
-    assert {(20, 0), (0, 20)} <= seen
-    assert all(abs(speed) <= 20 for both in seen for speed in both)
+    assert {(20, 0), (0, 20)} <= speeds
+    assert all(abs(speed) <= 20 for pair in speeds for speed in pair)
     assert comes_true(lambda: board.braking == (127, 127))
     assert board.show()["aux"]["speed"] == 0
     assert board.errors == 0
@@ -321,7 +321,7 @@ def test_echo_is_not_read_as_reply(boards: Boards, tmp_path: Path) -> None:
     program = prepared_program(tmp_path, settings, line, Language.PYTHON)
     speeds, _ = run_demonstration(program, board)
     assert board.has(settings)
-    assert {(20, 0), (0, 20)} <= seen
+    assert {(20, 0), (0, 20)} <= speeds
     assert comes_true(lambda: board.braking == (127, 127))
 
 

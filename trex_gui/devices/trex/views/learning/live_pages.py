@@ -235,7 +235,7 @@ class TestPage(ChannelRows):
         explanation = tr(
             "Calculated from the values in the board, for each channel on its own. Two "
             "assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway "
-            "between neutral and the end."
+            "between neutral and the end (inferred)."
         )
         ui.column(self._safe_start, Muted(explanation, self.side), into=self.side, margins=0)
 
