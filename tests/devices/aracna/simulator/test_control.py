@@ -53,7 +53,7 @@ REJECTED = [
     ("servo 3 load 2", "a load must be 0 to 1, not '2'"),
     ("servo 3 lose speed -1", "a number of reads must be 0 to 999999999, not '-1'"),
     ("line warp", LINE),
-    (f"line garbage {'00' * 10_001}", "garbage is at most 10000 bytes, not 10001"),
+    (f"line garbage {'00' * 10_001}", "garbage must be at most 10000 bytes, not 10001"),
     ("line drop 1 received", LINE),
     ("line cut", LINE),
     ("line cut -1", "a number of bytes must be 0 to 999999999, not '-1'"),
