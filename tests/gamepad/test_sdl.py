@@ -56,8 +56,8 @@ def test_moved_axis_and_pressed_button_are_read(
     state = source.read(pad)
     assert state is not None
     assert state.axis(1) == pytest.approx(-1.0, abs=0.001)
-    assert state.pressed(4)
-    assert not state.pressed(3)
+    assert state.is_pressed(4)
+    assert not state.is_pressed(3)
 
 
 def test_unplugged_gamepad_is_removed_at_once(source: SdlPads) -> None:

@@ -63,7 +63,7 @@ class PadState:
         """Return the position of an axis. 0 if the axis does not exist."""
         return self.axes[number] if 0 <= number < len(self.axes) else 0.0
 
-    def pressed(self, number: int | None) -> bool:
+    def is_pressed(self, number: int | None) -> bool:
         """Return whether a button is down. False if the button does not exist."""
         return number is not None and 0 <= number < len(self.buttons) and self.buttons[number]
 
@@ -182,7 +182,7 @@ def _parts(joystick: "JoystickType") -> Mapping[str, str]:
 
 @contextlib.contextmanager
 def _environment(hints: Mapping[str, str]) -> Iterator[None]:
-    """Set environment variables for SDL. Restore them afterwards for later child processes."""
+    """Set environment variables for SDL temporarily. Later child processes do not inherit them."""
     before = {name: os.environ.get(name) for name in hints}
     os.environ.update(hints)
     try:

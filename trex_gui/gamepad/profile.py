@@ -49,7 +49,7 @@ class GamepadProfile:
         first: axis for forward, or for the left motor.
         second: axis for turning (positive to the right), or for the right motor.
         dead_zone: 0 to `MAX_DEAD_ZONE`. The default is inferred: worn sticks come to rest up to
-            a tenth away from their centre.
+            a tenth of their range away from the centre.
         expo: 0 (linear) to 1 (cubic).
         hold: button that must be held to drive. `None`: moving a stick is enough.
         stop: button that stops all motors.
@@ -76,8 +76,8 @@ class GamepadProfile:
 def default_profile(pad: Pad) -> GamepadProfile:
     """Return the default profile for a gamepad.
 
-    It uses the left stick, the left shoulder button (hold) and the right face button (stop). For a
-    gamepad that SDL does not know, it uses the default numbers. If that gamepad has too few
+    It uses the left stick, the left shoulder button (hold) and the right face button (stop). If SDL
+    does not know the gamepad, the profile uses the default numbers. If such a gamepad has too few
     buttons, its last button is the hold button.
     """
     default = GamepadProfile()
@@ -126,9 +126,7 @@ def _button(value: object) -> int | None:
 
 
 def _number(value: object, maximum: float) -> float:
-    if type(value) is bool:
-        raise ValueError(value)
-    if isinstance(value, int | float) and 0 <= value <= maximum:
+    if isinstance(value, int | float) and type(value) is not bool and 0 <= value <= maximum:
         return float(value)
     raise ValueError(value)
 
@@ -136,7 +134,7 @@ def _number(value: object, maximum: float) -> float:
 class DriveCondition(Enum):
     """Condition that must be met before a gamepad drives."""
 
-    REST = auto()  # each stick must be at rest once
+    REST = auto()  # each stick must first be at rest
     RELEASE = auto()  # the hold button must first be released
     HOLD = auto()  # the hold button must be held
     MOVE = auto()  # a stick must leave its centre, if there is no hold button
@@ -161,7 +159,7 @@ class PilotRequest:
 class Pilot:
     """Computes setpoints from the state and the profile of a gamepad.
 
-    Some gamepads report random values until a stick is touched. Therefore an axis counts only once
+    Some gamepads report random values until a stick is touched. An axis is therefore ignored until
     it has been at rest. After `reset`, the hold button must be released and pressed again.
     """
 
@@ -179,9 +177,9 @@ class Pilot:
         for axis in (profile.first, profile.second):
             if abs(state.axis(axis.number)) <= max(profile.dead_zone, REST):
                 self._rested.add(axis.number)
-        self._released = self._released or not state.pressed(profile.hold)
+        self._released = self._released or not state.is_pressed(profile.hold)
         first, second = (self._value(axis, state) for axis in (profile.first, profile.second))
-        stop_is_down = state.pressed(profile.stop)
+        stop_is_down = state.is_pressed(profile.stop)
         stop = stop_is_down and not self._stop_was_down
         self._stop_was_down = stop_is_down
         waits_for = self._wait_condition(state, moved=bool(first or second))
@@ -200,6 +198,6 @@ class Pilot:
             return DriveCondition.REST
         if self._profile.hold is None:
             return DriveCondition.NOTHING if moved else DriveCondition.MOVE
-        if not state.pressed(self._profile.hold):
+        if not state.is_pressed(self._profile.hold):
             return DriveCondition.HOLD
         return DriveCondition.NOTHING if self._released else DriveCondition.RELEASE

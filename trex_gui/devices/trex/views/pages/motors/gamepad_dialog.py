@@ -56,7 +56,7 @@ class PadView(QWidget):
             percent = None if state is None else round(100 * state.axis(number))
             value.setText(NO_VALUE if percent is None else f"{signed_text(percent)} %")
         for number, lamp in enumerate(self.findChildren(Lamp)):
-            lamp.set_lit(state is not None and state.pressed(number))
+            lamp.set_lit(state is not None and state.is_pressed(number))
             lamp.setAccessibleDescription(tr("pressed") if lamp.lit else "")
 
 
