@@ -35,7 +35,7 @@ class SleepHarness:
         self.delay = SleepDelay(lambda: self.may_move, program, timeout=1.0)
         self.events = SessionEvents(program, program)
         self.events.sleeping.connect(self.delay.on_sleeping)
-        qtbot.waitUntil(lambda: self.delay.holds)
+        qtbot.waitUntil(lambda: self.delay.is_active)
 
     @property
     def waited_ms(self) -> int:
@@ -91,7 +91,7 @@ def test_sleep_delay_is_requested_again_after_wake(harness: SleepHarness, qtbot:
 def test_sleep_delay_is_released_on_close(harness: SleepHarness) -> None:
     harness.delay.release()
     assert harness.logind.held == 0
-    assert not harness.delay.holds
+    assert not harness.delay.is_active
 
 
 def test_sleep_delay_without_logind_holds_nothing(
@@ -99,7 +99,7 @@ def test_sleep_delay_without_logind_holds_nothing(
 ) -> None:
     delay = SleepDelay(lambda: False, buses[1], timeout=1.0)
     qtbot.waitUntil(lambda: delay._request is None)
-    assert not delay.holds
+    assert not delay.is_active
     delay.on_sleeping(is_starting=True)
     delay.release()
 
@@ -108,5 +108,5 @@ def test_sleep_delay_without_bus_holds_nothing() -> None:
     delay = SleepDelay(lambda: False, QDBusConnection("no bus"), timeout=1.0)
     delay.on_sleeping(is_starting=True)
     delay.on_sleeping(is_starting=False)
-    assert not delay.holds
+    assert not delay.is_active
     delay.release()

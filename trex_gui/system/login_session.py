@@ -82,7 +82,7 @@ class SleepDelay(QObject):
     Without logind, sleep is not delayed.
 
     Args:
-        may_move: returns whether motors were driven and no stop has been confirmed since.
+        may_move: returns True if motors were driven and no stop has been confirmed since.
         timeout: maximum delay in seconds.
     """
 
@@ -102,13 +102,13 @@ class SleepDelay(QObject):
         self.request()
 
     @property
-    def holds(self) -> bool:
-        """True if the computer would wait for this program before it sleeps."""
+    def is_active(self) -> bool:
+        """True if the computer will wait for this program before sleeping."""
         return self._descriptor is not None
 
     def request(self) -> None:
         """Request a delay of the next sleep. Does not wait for the reply."""
-        if self.holds or self._request is not None or not self._bus.isConnected():
+        if self.is_active or self._request is not None or not self._bus.isConnected():
             return
         call = QDBusMessage.createMethodCall(_LOGIN, _PATH, f"{_LOGIN}.Manager", "Inhibit")
         why = tr("Motors that can be stopped are stopped before the computer sleeps")

@@ -20,12 +20,12 @@ LOCKED = ("com.apple.screenIsLocked", "com.apple.screensaver.didstart")
 
 _FRAMEWORKS = "/System/Library/Frameworks/{0}.framework/{0}"
 _UTF8 = 0x08000100
-_AT_ONCE = 4  # CFNotificationSuspensionBehaviorDeliverImmediately
+_DELIVER_IMMEDIATELY = 4  # CFNotificationSuspensionBehaviorDeliverImmediately
 
 # Arguments: center, observer, name, object, user info.
 _ON_NOTIFICATION = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5)
 
-# Arguments: reference of the caller, service, message, argument of the message.
+# Arguments: reference for the caller, service, message, argument of the message.
 _ON_POWER = ctypes.CFUNCTYPE(
     None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32, ctypes.c_void_p
 )
@@ -36,7 +36,7 @@ class NativeMac:
 
     Args:
         load: loads a library.
-        symbol: reads a constant of a library.
+        symbol: reads a constant from a library.
 
     Raises:
         OSError, AttributeError, ValueError: a library or a symbol is missing.
@@ -84,7 +84,7 @@ class NativeMac:
         center = self._center()
         for observer, name in enumerate(LOCKED, start=1):  # 0 would mean no observer
             text = self._create_string(None, name.encode("ascii"), _UTF8)
-            self._observe(center, observer, notified, text, None, _AT_ONCE)
+            self._observe(center, observer, notified, text, None, _DELIVER_IMMEDIATELY)
         self._connection = self._register(
             None, ctypes.byref(notification_port), powered, ctypes.byref(notifier)
         )

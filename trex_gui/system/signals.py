@@ -23,15 +23,15 @@ from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_sig
 log = logging.getLogger(__name__)
 
 _GRACE_S = 7.0
-"""Seconds in which the window may close normally.
+"""Seconds that the window has to close normally.
 
 Closing a line during a write may take three seconds, and saving a recording three more. A system
 that is shutting down waits longer than this before it sends SIGKILL."""
 
-_KEYBOARD_SIGNALS = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # each ends the process during the wait
+_KEYBOARD_SIGNALS = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # a second such signal ends the process
 
 _DEBOUNCE_S = 0.3
-"""Seconds in which a second signal counts as a duplicate of the first.
+"""Seconds within which a second signal counts as a duplicate of the first.
 
 A terminal and a program started in it may both pass on a single Ctrl-C."""
 

@@ -10,22 +10,22 @@ _POLL_MS = 20
 
 
 class StopWait(QObject):
-    """Calls `then` once a stop is confirmed, or after `timeout` seconds.
+    """Calls `callback` once a stop is confirmed, or after `timeout` seconds.
 
-    `may_move` returns whether motors were driven and no stop has been confirmed since.
+    `may_move` returns True if motors were driven and no stop has been confirmed since.
     """
 
     def __init__(
         self,
         may_move: Callable[[], bool],
-        then: Callable[[], object],
+        callback: Callable[[], object],
         parent: QObject | None = None,
         *,
         timeout: float,
     ) -> None:
         super().__init__(parent)
         self._may_move = may_move
-        self._then = then
+        self._callback = callback
         self._timeout = timeout
         self._polls = 0
         self._timer = new_timer(self, _POLL_MS, self._on_poll)
@@ -42,4 +42,4 @@ class StopWait(QObject):
         self._polls += 1
         if not self._may_move() or self._polls * _POLL_MS >= self._timeout * 1000:
             self._timer.stop()
-            self._then()
+            self._callback()

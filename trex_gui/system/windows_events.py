@@ -18,7 +18,7 @@ _LOCKED = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WT
 
 
 def stop_reason(message: int, parameter: int) -> str | None:
-    """Return the reason for which a window message stops the motors. `None` if it does not."""
+    """Return the reason to stop the motors, or `None` if the message requires no stop."""
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
         return tr("The computer is going to sleep")
     if message == WM_WTSSESSION_CHANGE and parameter in _LOCKED:
