@@ -64,7 +64,7 @@ def real(text: str, noun: str, highest: float) -> float:
     return value
 
 
-def amount(text: str, noun: str = "a number of bytes", highest: int = _MAX_COUNT) -> int:
+def amount(text: str, noun: str = "the number of bytes", highest: int = _MAX_COUNT) -> int:
     """Parse a whole number from 0 to `highest`. Raises ValueError."""
     if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
         raise ValueError(f"{noun} must be 0 to {highest}, not {text!r}")
@@ -77,8 +77,8 @@ WIRE_USAGE = (
 )
 
 
-def wire(line: SimulatedLine, *words: str) -> str:
-    """Execute the command `line`. Return the reply. `WIRE_USAGE` lists the possible words."""
+def run_line_command(line: SimulatedLine, *words: str) -> str:
+    """Run the command `line`. Return the reply. `WIRE_USAGE` lists the possible words."""
     faults = line.faults
     match words:
         case ["mute", ("on" | "off") as state]:
@@ -93,7 +93,7 @@ def wire(line: SimulatedLine, *words: str) -> str:
             faults.to_drop_sent = amount(number)
             return f"bytes to lose on the way from the host: {faults.to_drop_sent}"
         case ["delay", seconds]:
-            faults.delay = real(seconds, "a delay in s", _LONGEST_DELAY)
+            faults.delay = real(seconds, "the delay in s", _LONGEST_DELAY)
             return f"bytes to the host are {faults.delay:g} s late"
         case ["echo", ("on" | "off") as state]:
             line.echo = state == "on"
@@ -103,7 +103,7 @@ def wire(line: SimulatedLine, *words: str) -> str:
             line.inject(data)
             return f"{counted(len(data), 'byte')} on the way to the host"
         case ["noise", probability]:
-            faults.noise = real(probability, "a probability", 1)
+            faults.noise = real(probability, "the probability", 1)
             return f"noise {faults.noise:g}"
         case ["unplug"]:
             line.unplug()
@@ -123,7 +123,7 @@ def _garbage(text: str) -> bytes:
     try:
         data = bytes.fromhex(text)
     except ValueError:
-        raise ValueError(f"{text!r} is not hexadecimal bytes such as FF80") from None
+        raise ValueError(f"{text!r} is not a sequence of hexadecimal bytes such as FF80") from None
     if len(data) > _MAX_GARBAGE:
         raise ValueError(f"garbage must be at most {_MAX_GARBAGE} bytes, not {len(data)}")
     return data

@@ -117,7 +117,7 @@ class TcpEndpoint:
         self._listener.setblocking(False)
         self._port = self._listener.getsockname()[1]
 
-    def welcome(self) -> None:
+    def on_connected(self) -> None:
         """Prepare for a host that has just connected."""
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:
@@ -134,4 +134,4 @@ class TcpEndpoint:
             self._client, _ = listener.accept()
             self._client.setblocking(False)
             self._client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            self.welcome()
+            self.on_connected()

@@ -33,10 +33,10 @@ class WireFaults:
         self.plugged = True
         self.noise = 0.0  # probability that a byte is corrupted
         self.delay = 0.0  # delay of bytes to the host in seconds
-        self.to_drop = self.to_drop_sent = 0  # bytes still to lose, to the host and from the host
-        self.to_corrupt = self.to_double = 0  # bytes to the host still to corrupt or to double
+        self.to_drop = self.to_drop_sent = 0  # upcoming bytes to lose, to and from the host
+        self.to_corrupt = self.to_double = 0  # upcoming bytes to the host to corrupt or double
         self.to_cut: int | None = None  # bytes to the host until a text line is cut off
-        self.errors: deque[ReceiveError] = deque()  # errors of the next bytes from the host
+        self.errors: deque[ReceiveError] = deque()  # errors of the upcoming bytes from the host
         self.counters: Counter[str] = Counter(
             dict.fromkeys(("sent", "received", "dropped", "corrupted", "garbled", "collisions"), 0)
         )
@@ -135,7 +135,7 @@ class Station(Protocol):
 class _Frame:
     """Byte in transit to the host from `start` to `end` (s).
 
-    `baud`: real bit rate. If the sender has lost power before the end, `is_alive` returns False.
+    `baud`: real bit rate. If the sender loses power before the end, `is_alive` returns False.
     The byte is then lost, and `then` is not called.
     """
 
@@ -185,7 +185,7 @@ class SimulatedLine:
         self._received = bytearray()
         self._delayed_until = 0.0
         self._host_busy_until = 0.0
-        self._host_turn = 0
+        self._queue_number = 0
         self._injecting_until = 0.0
         self._frames: list[_Frame] = []
         self._collided: list[_Frame] = []
@@ -195,8 +195,8 @@ class SimulatedLine:
         return self.stations[0].line_format
 
     @property
-    def unsaved(self) -> Sequence[str]:
-        """Reasons why the contents of memory could not be saved."""
+    def save_errors(self) -> Sequence[str]:
+        """Reasons why the memory of a device could not be saved."""
         return ()
 
     # --- Host ---------------------------------------------------------------------------
@@ -207,7 +207,7 @@ class SimulatedLine:
             rates_differ(host.baud, station.baud) for station in self.stations
         )
         byte_time = host.seconds(1) if host is not None and self.paced else self.byte_time
-        is_current = partial(self._is_host_turn, self._host_turn)
+        is_current = partial(self._is_current_queue, self._queue_number)
         for byte in data:
             start = max(self.now, self._host_busy_until)
             end = self._host_busy_until = start + byte_time
@@ -220,7 +220,7 @@ class SimulatedLine:
 
     def drop_unsent(self) -> None:
         """Discard queued bytes after the host has closed or reconfigured its port."""
-        self._host_turn += 1
+        self._queue_number += 1
         self._host_busy_until = self.now
 
     def receive(self) -> bytes:
@@ -243,8 +243,8 @@ class SimulatedLine:
         """Seconds until all queued bytes from the host are sent."""
         return max(0.0, self._host_busy_until - self.now)
 
-    def _is_host_turn(self, turn: int) -> bool:
-        return turn == self._host_turn
+    def _is_current_queue(self, number: int) -> bool:
+        return number == self._queue_number
 
     # --- Time ---------------------------------------------------------------------------
 

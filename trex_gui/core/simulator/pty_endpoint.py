@@ -88,7 +88,7 @@ class PtyEndpoint:
         if self._link is None:
             return
         if self._link.exists() and not self._link.is_symlink():
-            raise FileExistsError(errno.EEXIST, "a file with this name exists")
+            raise FileExistsError(errno.EEXIST, "a file with this name already exists")
         new_link = self._link.with_name(f".{self._link.name}.{os.getpid()}")
         new_link.unlink(missing_ok=True)
         new_link.symlink_to(self._path)
@@ -96,7 +96,7 @@ class PtyEndpoint:
 
 
 def _set_speed(terminal: int, baud: int) -> None:
-    """Set the rate for hosts that do not set it, such as `cat`. Ignores unusual rates."""
+    """Set the baud rate for hosts such as `cat`, which do not set it. Ignores unusual rates."""
     codes = {rate: code for code, rate in _RATES.items()}
     if baud in codes:
         settings = termios.tcgetattr(terminal)

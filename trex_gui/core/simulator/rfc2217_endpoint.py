@@ -54,7 +54,7 @@ class Rfc2217Endpoint(TcpEndpoint):
         self._manager: PortManager | None = None
         super().__init__(host, port)
 
-    def welcome(self) -> None:
+    def on_connected(self) -> None:
         self._port_settings = _Port(self._baud)
         self._manager = PortManager(
             self._port_settings,  # type: ignore[arg-type] # the stubs require a real port

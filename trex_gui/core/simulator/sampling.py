@@ -24,8 +24,8 @@ falls on a bit edge for any two rates of a TReX. On an edge, rounding would deci
 _RATE_TOLERANCE = 0.03
 """Maximum relative difference between the rates of two UARTs.
 
-Half a bit in the ten bits of a byte would allow 5 %. Sampling a few times per bit costs the rest
-(assumed)."""
+An error of half a bit in the ten bits of a byte would allow 5 %. A UART that samples only a few
+times per bit tolerates less (assumed)."""
 
 _PARITIES = {Parity.EVEN: 0, Parity.ODD: 1}
 
@@ -46,9 +46,9 @@ class SampledByte:
     error: ReceiveError | None = None
 
 
-def rates_differ(baud: float, other: float) -> bool:
-    """Return whether two rates differ so much that a UART receives wrong bytes."""
-    return abs(baud / other - 1) > _RATE_TOLERANCE
+def rates_differ(sender: float, receiver: float) -> bool:
+    """Return whether two baud rates differ so much that the receiver gets wrong bytes."""
+    return abs(sender / receiver - 1) > _RATE_TOLERANCE
 
 
 def levels(byte: int, sender: SerialFormat) -> list[int]:
@@ -85,15 +85,15 @@ class Receiver:
         return self._begun + (self._bits_per_byte - 1 + _SAMPLE_AT) * self._bit
 
     def receive(
-        self, begin: float, byte: int, sender: SerialFormat, baud: float
+        self, start: float, byte: int, sender: SerialFormat, baud: float
     ) -> Iterator[SampledByte]:
-        """Sample a byte sent at `baud`. Yield the received bytes that are then complete.
+        """Sample a byte sent at `baud`. Yield each received byte once it is complete.
 
-        `begin`: start time (s), not before the end of the previous byte.
+        `start`: time in s, not before the end of the previous byte.
         """
-        yield from self.idle(begin)
+        yield from self.idle(start)
         for index, level in enumerate(levels(byte, sender)):
-            yield from self.sample(level, begin + (index + 1) / baud)
+            yield from self.sample(level, start + (index + 1) / baud)
 
     def receive_isolated(
         self, byte: int, sender: SerialFormat, baud: float
@@ -105,7 +105,7 @@ class Receiver:
         yield from self.sample(_HIGH, until)
 
     def sample(self, level: int, until: float) -> Iterator[SampledByte]:
-        """Set the wire to a level until a time (s). Yield the bytes that are then complete."""
+        """Set the wire to a level until a time (s). Yield each byte that is complete by then."""
         if until <= self.known_until:
             return
         falls = level < self._level

@@ -49,9 +49,9 @@ class Server:
         self._disconnections = 0
         self._reported: set[str] = set()
         self._control_lines: deque[str | None] = deque()
-        self._waker, self._wake = socket.socketpair()
-        self._waker.setblocking(False)
-        self._wake.setblocking(False)
+        self._wake_reader, self._wake_writer = socket.socketpair()
+        self._wake_reader.setblocking(False)
+        self._wake_writer.setblocking(False)
 
     def run(self) -> None:
         """Serve until `quit`, a signal, or the end of a pipe on standard input."""
@@ -65,12 +65,12 @@ class Server:
             for number, handler in previous.items():
                 signal.signal(number, handler)
             self._endpoint.unplug()
-            self._wake.close()
-            self._waker.close()
+            self._wake_writer.close()
+            self._wake_reader.close()
 
     def _run_once(self) -> None:
         self._catch_up()
-        sources = [self._waker.fileno(), *self._endpoint.descriptors()]
+        sources = [self._wake_reader.fileno(), *self._endpoint.descriptors()]
         ready, _, _ = select.select(sources, [], [], self._timeout())
         self._catch_up()
         self._check_disconnection()  # before any byte from the next host is received
@@ -80,18 +80,18 @@ class Server:
         while self._unsent and self._line.backlog < _MAX_AHEAD:
             self._line.send(bytes(self._unsent[:_CHUNK]))
             del self._unsent[:_CHUNK]
-        for reason in self._line.unsaved:
+        for reason in self._line.save_errors:
             if reason not in self._reported:
                 self._reported.add(reason)
                 sys.stderr.write(f"{reason}; the board continues without saving\n")
-        if self._waker.fileno() in ready:
+        if self._wake_reader.fileno() in ready:
             with contextlib.suppress(BlockingIOError):
-                while self._waker.recv(4096):
+                while self._wake_reader.recv(4096):
                     pass
             self._execute()
 
     def _receive(self, settings: HostSettings | None, data: bytes) -> None:
-        """Queue bytes from the host. New settings discard queued bytes."""
+        """Queue bytes from the host. Discard queued bytes if the settings have changed."""
         host = None
         if settings is not None:
             parity = settings.parity or self._line.host_format.parity
@@ -160,7 +160,7 @@ class Server:
             self._ended = True  # standard output is closed
 
     def _read_control_lines(self) -> None:
-        """Read standard input in a thread. On some systems, `select` cannot wait for it."""
+        """Read standard input in a thread, because `select` cannot wait for it on some systems."""
         try:
             kind = os.fstat(0).st_mode
         except OSError:
@@ -193,7 +193,7 @@ class Server:
     def _wake_up(self) -> None:
         """Wake the loop from another thread or a signal handler."""
         with contextlib.suppress(OSError):  # a full pipe wakes the loop anyway
-            self._wake.send(b"!")
+            self._wake_writer.send(b"!")
 
     def _catch_signals(self) -> dict[int, "signal._HANDLER"]:
         ending = handled_signals(("SIGINT", "SIGTERM", "SIGHUP"))
@@ -201,8 +201,7 @@ class Server:
             number: signal.signal(number, self._end) for number in ending
         }
         for number in handled_signals(("SIGTTIN",)):
-            # A read from the background of a terminal then fails. By default it would suspend the
-            # process.
+            # Otherwise reading from a terminal in the background would suspend the process.
             previous[number] = signal.signal(number, signal.SIG_IGN)
         return previous
 

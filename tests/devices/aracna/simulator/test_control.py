@@ -56,7 +56,7 @@ REJECTED = [
     (f"line garbage {'00' * 10_001}", "garbage must be at most 10000 bytes, not 10001"),
     ("line drop 1 received", LINE),
     ("line cut", LINE),
-    ("line cut -1", "a number of bytes must be 0 to 999999999, not '-1'"),
+    ("line cut -1", "the number of bytes must be 0 to 999999999, not '-1'"),
 ]
 
 

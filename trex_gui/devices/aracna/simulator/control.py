@@ -14,8 +14,8 @@ from trex_gui.core.simulator.control_lines import (
     execute,
     number_of,
     real,
+    run_line_command,
     show_wire,
-    wire,
 )
 from trex_gui.core.simulator.plugin import Simulation, SimulatorPlugin
 from trex_gui.core.texts import counted
@@ -90,7 +90,7 @@ def _wire(line: AracnaLine, *words: str) -> str:
         case ["cut", number]:
             line.faults.to_cut = count = amount(number)
             return f"after {counted(count, 'byte')} the rest of a line is lost"
-    return wire(line, *words)
+    return run_line_command(line, *words)
 
 
 def state(line: AracnaLine) -> dict[str, Any]:

@@ -13,8 +13,8 @@ from trex_gui.core.simulator.control_lines import (
     execute,
     number_of,
     real,
+    run_line_command,
     show_wire,
-    wire,
 )
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
@@ -264,7 +264,7 @@ def _wire(line: SimulatedBoards, *words: str) -> str:
             line.faults.errors.extend([ReceiveError(name)] * count)
             note = " (undetected by a board without parity)" if name == "parity" else ""
             return f"bytes from the host that will have a {name} error{note}: {count}"
-    return wire(line, *words)
+    return run_line_command(line, *words)
 
 
 _WIRE_USAGE = f"{WIRE_USAGE}, line error framing|parity|overrun [N], line error off"

@@ -198,7 +198,7 @@ class SimulatedBoards(SimulatedLine):
         self.stations = tuple(BoardStation(board, self) for board in boards)
 
     @property
-    def unsaved(self) -> list[str]:
+    def save_errors(self) -> list[str]:
         return [str(board.eeprom.unsaved) for board in self.boards if board.eeprom.unsaved]
 
     @property
