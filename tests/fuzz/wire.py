@@ -237,8 +237,8 @@ def _check_rows(decoder: Decoder, data: bytes) -> None:
     rows = {row.number: row for event in events for row in assembler.feed([event])}
     for row in rows.values():
         assert decoder.decoded(row).text
-        assert decoder.shown(row.sent).isprintable()
-        assert decoder.shown(row.received).isprintable()
+        assert decoder.display_text(row.sent).isprintable()
+        assert decoder.display_text(row.received).isprintable()
     for direction in (TrafficDirection.SENT, TrafficDirection.RECEIVED):
         logged = b"".join(event.data for event in events if event.direction is direction)
         listed = b"".join(
@@ -316,7 +316,7 @@ class NetworkPort(Rfc2217Endpoint):
 
     def __init__(self) -> None:
         self._baud, self._client = 19200, None
-        self.welcome()
+        self.on_connected()
 
     def drop_client(self) -> None:
         self._manager = None

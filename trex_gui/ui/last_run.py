@@ -6,7 +6,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.guardian.guardian import watching_since
 from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.translation import tr, tr_noop
-from trex_gui.core.transport.driven import DrivenBoards, driven_boards, left_text, port_of
+from trex_gui.core.transport.driven import DrivenBoards, driven_boards, left_running_text, port_of
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier, Remedy
@@ -51,7 +51,7 @@ def report_last_run(
             return  # another call has reported these stops
         if size != seen and not boards:
             store.set(_SEEN, size)
-        texts = [*(left_text(*item) for item in boards.items()), *errors.splitlines()]
+        texts = [*(left_running_text(*item) for item in boards.items()), *errors.splitlines()]
         for result, text in _STOPS.items():
             if times := [time for time, stop_result in stops if stop_result is result]:
                 texts.append(tr(text).format(", ".join(times)))
@@ -84,7 +84,7 @@ def stop_running_boards(notifier: Notifier) -> None:
                 if board is not None:
                     SerialTransport(port_of(file, board)).close()
             except StudioError as error:
-                errors.append(str(error).removeprefix(left_text(file, board)).strip())
+                errors.append(str(error).removeprefix(left_running_text(file, board)).strip())
         return "\n".join(errors)
 
     report = partial(report_last_run, notifier, until="9999")  # ignores no event

@@ -1,1 +1,1 @@
-"""Serial ports: opening and guarding them, their baud rates, and their traffic."""
+"""Serial ports, with their guardian, supported baud rates and traffic."""

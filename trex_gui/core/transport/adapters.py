@@ -1,4 +1,4 @@
-"""USB adapters, which are recognized even if their port has another name."""
+"""USB adapters, recognized even if the name of their port changes."""
 
 import os
 import re
@@ -21,8 +21,8 @@ class Adapter:
     Attributes:
         product: IDs of vendor and product, such as `0403:6001`.
         number: serial number, or an empty string.
-        location: USB socket, such as `1-2.3`, and for an adapter with several ports also the
-            interface, as in `1-2:1.1`. Empty if the system does not report the socket.
+        location: USB socket, such as `1-2.3`. If the adapter has more than one port, the USB
+            interface follows, as in `1-2:1.1`. Empty if the system does not report the socket.
     """
 
     product: str
@@ -39,7 +39,7 @@ class Adapter:
 
     @property
     def key(self) -> str:
-        """Key for saved data, without spaces. Two adapters have equal keys if `is_same` is true."""
+        """Key for saved data, without spaces. If `is_same` is true, the keys are equal."""
         location = self.location if len(self.number) <= _SHARED else _interface(self)
         return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, location))))
 

@@ -1,4 +1,4 @@
-"""Boards left running, because the program and its guardian died before a confirmed stop.
+"""Boards left running, because the program and its guardian died before confirming a stop.
 
 While motors may move, the guardian maintains a locked file (see `guardian.process`). A file that is
 not locked describes a board whose stop is not confirmed.
@@ -69,11 +69,11 @@ def driven_boards() -> DrivenBoards:
     thread.join(0.5)  # after this time, a disk that does not respond counts as empty
     boards = dict(boards_read)
     for file, board in boards.items():
-        _warn_once("%s", left_text(file, board))
+        _warn_once("%s", left_running_text(file, board))
     return boards
 
 
-def left_text(file: Path, board: DrivenBoard | None) -> str:
+def left_running_text(file: Path, board: DrivenBoard | None) -> str:
     return tr(PortFault.LEFT_UNKNOWN.value).format(file) if board is None else board.text()
 
 

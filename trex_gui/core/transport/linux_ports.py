@@ -21,14 +21,12 @@ _PROCESSES = Path("/proc")
 def holder_of(url: str) -> str | None:
     """Return the program that has a port open. `None` if unknown.
 
-    This is the program that has locked the port, otherwise any program except this one. Reads
-    `/proc/locks`, then `/proc/PID/fd` (proc(5)).
+    Prefers the program that has locked the port. Otherwise this is any program except this one.
+    Reads `/proc/locks`, then `/proc/PID/fd` (proc(5)).
     """
     path = Path(url)
     with contextlib.suppress(OSError):
-        others = (
-            pid for pid in _processes_with_open(Path(os.path.realpath(path))) if pid != os.getpid()
-        )
+        others = (pid for pid in _processes_with_open(path) if pid != os.getpid())
         pid = _locking_process(path) or next(others, None)
         if pid == os.getpid():
             return tr("another connection of this program")
@@ -48,7 +46,7 @@ def other_user_of(url: str) -> str | None:
     path = Path(url)
     with contextlib.suppress(OSError):
         path.stat()
-        for pid in _processes_with_open(Path(os.path.realpath(path))):
+        for pid in _processes_with_open(path):
             process = _PROCESSES / str(pid)
             is_guardian = b"guardian" in (process / "cmdline").read_bytes()
             if pid != os.getpid() and not is_guardian and not _has_terminals(process):
@@ -72,8 +70,7 @@ def is_locked_elsewhere(url: str) -> bool:
     """
     with contextlib.suppress(OSError):
         pid = _locking_process(Path(url))
-        is_ours = pid in {None, os.getpid()}
-        return not is_ours and (_PROCESSES / str(pid)).exists()
+        return pid not in {None, os.getpid()} and (_PROCESSES / str(pid)).exists()
     return True
 
 
@@ -84,7 +81,7 @@ def is_left_to_guardian(url: str) -> bool:
     """
     path = Path(url)
     with contextlib.suppress(OSError):
-        pids = set(_processes_with_open(Path(os.path.realpath(path))))
+        pids = set(_processes_with_open(path))
         commands = [(_PROCESSES / str(pid) / "cmdline").read_bytes() for pid in pids]
         is_watched = any(b"guardian" in command for command in commands)
         return is_watched and _locking_process(path) not in pids
@@ -103,9 +100,10 @@ def _locking_process(path: Path) -> int | None:
 
 
 def _processes_with_open(path: Path) -> Iterator[int]:
+    target = Path(os.path.realpath(path))
     for link in _PROCESSES.glob("[0-9]*/fd/*"):
         with contextlib.suppress(OSError):
-            if link.readlink() == path:
+            if link.readlink() == target:
                 yield int(link.parts[2])
 
 
@@ -131,7 +129,7 @@ def rates_of(
 ) -> frozenset[int] | None:
     """Return the wanted rates that an open port supports. `None` if unknown.
 
-    A driver that cannot divide its clock to a rate uses the nearest rate and reports it. Each rate
+    A driver that cannot produce a rate uses the nearest rate and reports it. Each rate
     is set and read back. Then the old settings are restored. Sends nothing and never raises. No
     byte may be in transit.
     """
@@ -168,7 +166,7 @@ def _real_rate(handle: int, original: "array.array[int]", rate: int) -> int:
 
 
 def termios2(handle: int) -> "array.array[int]":
-    """Return the terminal settings. Raises OSError if the processor uses another request."""
+    """Return the terminal settings. Raises OSError if the processor uses other request numbers."""
     words = array.array("I", [0] * _WORDS)
     fcntl.ioctl(handle, _TCGETS2, words)
     return words

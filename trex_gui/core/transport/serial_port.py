@@ -1,6 +1,6 @@
 """Serial port that reports every failure as a sentence.
 
-A small interface hides pyserial's local and remote ports, so that tests can replace them by a
+A small interface hides pyserial's local and remote ports, so that tests can replace them with a
 simulated wire in virtual time.
 """
 
@@ -71,7 +71,7 @@ _BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
 _CLOSING_S = 1.5
 """Seconds to wait for a port that another line of this program is closing.
 
-Before closing, that line may attempt to stop the motors. These attempts take no longer."""
+Before closing, that line may attempt to stop the motors. These attempts take at most this long."""
 
 
 def latency_of(url: str) -> float:
@@ -132,7 +132,7 @@ class _LentSocket:
         self._is_lent = is_lent
 
     def recv(self, size: int) -> bytes:
-        """Return received bytes. Raise TimeoutError without any, so that pyserial retries."""
+        """Return received bytes. Without any, raise TimeoutError, so that pyserial retries."""
         try:
             ready, _, _ = select.select([self._below], [], [], _SLICE)
         except ValueError as error:  # the socket was closed
@@ -205,7 +205,7 @@ class SerialTransport:
         try:
             for name, value in _options(self._url, line).items():
                 if getattr(self._port, name) != value:
-                    log.debug("%s: %s is %s now", self._url, name, value)
+                    log.debug("%s: %s is now %s", self._url, name, value)
                     setattr(self._port, name, value)
         except PORT_ERRORS as error:
             if isinstance(error, ValueError) or _errno(error) in {None, errno.EINVAL}:

@@ -175,12 +175,12 @@ class Decoder(ABC):
     """Explains the bytes of one kind of device."""
 
     @abstractmethod
-    def shown(self, data: bytes) -> str:
-        """Return bytes for display, as hexadecimal or text."""
+    def display_text(self, data: bytes) -> str:
+        """Return bytes as text for display, which may be hexadecimal."""
 
     @abstractmethod
-    def bytes_of(self, shown: str) -> bytes:
-        """Convert text from `shown` back to bytes. Raises ValueError."""
+    def bytes_of(self, text: str) -> bytes:
+        """Convert text from `display_text` back to bytes. Raises ValueError."""
 
     def learn(self, transaction: Transaction) -> None:
         """Store facts about the device from a reply, such as its units."""

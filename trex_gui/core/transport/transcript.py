@@ -33,7 +33,7 @@ def header() -> str:
 
 def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
     """Return a row as a line of the file. `epoch`: Unix time in s at which the clock was 0."""
-    meaning, shown = decoder.decoded(row), decoder.shown
+    meaning, shown = decoder.decoded(row), decoder.display_text
     moment = datetime.fromtimestamp(epoch + row.time).astimezone()
     values = (
         moment.isoformat(sep=" ", timespec="milliseconds"),
@@ -49,7 +49,7 @@ def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
 class TranscriptWriter:
     """Writes the traffic of a line to a file.
 
-    The file is opened before the line is. It keeps its old content until the first byte is written.
+    The file is opened before the line. Its old content is kept until the first byte is written.
     A later disk error does not affect the line. `error`: reason why the file is incomplete.
     """
 

@@ -23,7 +23,7 @@ _SECRETS = "secrets"  # file in the data folder, with lines `USER@HOST SECRET`
 class Address:
     """Address `trex://USER@HOST:PORT/NAME` of a served board.
 
-    USER and PORT are optional. Without NAME, the address is that of a serving computer.
+    USER and PORT are optional. Without NAME, it is the address of a serving computer.
     """
 
     host: str

@@ -134,7 +134,7 @@ class TrafficTable(QAbstractTableModel):
     def _matches(self, row: Transaction) -> bool:
         if not self._faults and not self._text:
             return True
-        words, shown = self._decoder.decoded(row), self._decoder.shown
+        words, shown = self._decoder.decoded(row), self._decoder.display_text
         if self._faults and not words.is_fault:
             return False
         texts = (words.text, shown(row.sent), shown(row.received))
@@ -193,9 +193,9 @@ class TrafficTable(QAbstractTableModel):
                 moment = datetime.fromtimestamp(self._traffic.wall_time(row)).astimezone()
                 return moment.time().isoformat("milliseconds")
             case 1:  # SENT
-                return self._decoder.shown(row.sent)
+                return self._decoder.display_text(row.sent)
             case 2:  # RECEIVED
-                return self._decoder.shown(row.received)
+                return self._decoder.display_text(row.received)
             case 3:  # TOOK
                 return "" if row.seconds is None else f"{Number(row.seconds * 1e3):.1f}"
         return self._decoder.decoded(row).text
@@ -312,7 +312,7 @@ class RowDetails(QPlainTextEdit):
             self.setPlainText(text)
 
     def _lines(self, row: Transaction) -> list[str]:
-        shown = self._decoder.shown
+        shown = self._decoder.display_text
         settings = row.settings
         heading = f"{self._table.text(row, TIME)}  #{row.number}"
         if settings is not None:

@@ -98,4 +98,4 @@ def test_command_without_its_own_reply_is_a_fault() -> None:
 @given(st.binary(max_size=40))
 def test_shown_bytes_are_read_back_equal(data: bytes) -> None:
     decoder = AracnaDecoder()
-    assert decoder.bytes_of(decoder.shown(data)) == data
+    assert decoder.bytes_of(decoder.display_text(data)) == data

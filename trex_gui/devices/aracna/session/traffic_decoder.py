@@ -24,12 +24,12 @@ _COMMANDS = {
 
 
 class AracnaDecoder(Decoder):
-    def shown(self, data: bytes) -> str:
+    def display_text(self, data: bytes) -> str:
         r"""Return text with escapes such as `\n` and `\x00`."""
         return data.decode("latin-1").encode("unicode_escape").decode("ascii")
 
-    def bytes_of(self, shown: str) -> bytes:
-        return shown.encode("ascii").decode("unicode_escape").encode("latin-1")
+    def bytes_of(self, text: str) -> bytes:
+        return text.encode("ascii").decode("unicode_escape").encode("latin-1")
 
     def is_routine(self, sent: bytes) -> bool:
         return sent == b".q\n"
@@ -57,7 +57,7 @@ class AracnaDecoder(Decoder):
         is_fault = any(map(_is_fault, replies))
         texts = [self._reply(reply) for reply in replies]
         if not transaction.sent:
-            texts += [tr("incomplete line: {0}").format(self.shown(rest))] if rest else []
+            texts += [tr("incomplete line: {0}").format(self.display_text(rest))] if rest else []
             return Decoded(tr("unsolicited: {0}").format("; ".join(texts)), is_fault or bool(rest))
         command = _command(transaction.sent)
         if not self.is_whole(transaction) and transaction.sent.strip():
@@ -71,7 +71,7 @@ class AracnaDecoder(Decoder):
             texts.append(tr("no reply to the command itself"))
             is_fault = True
         elif rest:
-            texts.append(tr("followed by {0}").format(self.shown(rest)))
+            texts.append(tr("followed by {0}").format(self.display_text(rest)))
             is_fault = True
         is_fault |= transaction.sent[:2] != b".q" and Hello() in replies
         return Decoded(f"{command} → {'; '.join(texts)}" if texts else command, is_fault)
@@ -92,7 +92,7 @@ class AracnaDecoder(Decoder):
             case Led(on=on):
                 return tr("the LED is on") if on else tr("the LED is off")
             case Unrecognized(line=line):
-                return tr("not a reply of an Aracna: {0}").format(self.shown(line))
+                return tr("not a reply of an Aracna: {0}").format(self.display_text(line))
 
 
 def _answers(reply: Reply, sent: bytes) -> bool:

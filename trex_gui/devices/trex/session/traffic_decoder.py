@@ -29,11 +29,11 @@ class TrexDecoder(Decoder):
     def __init__(self) -> None:
         self.board: Signature | None = None  # determines units and parameters; `None` if unknown
 
-    def shown(self, data: bytes) -> str:
+    def display_text(self, data: bytes) -> str:
         return hex_text(data)
 
-    def bytes_of(self, shown: str) -> bytes:
-        return bytes.fromhex(shown)
+    def bytes_of(self, text: str) -> bytes:
+        return bytes.fromhex(text)
 
     def learn(self, transaction: Transaction) -> None:
         match last_exchange(transaction):
