@@ -4,7 +4,7 @@ Each device declares its sample kinds once. The store, the exports and `trexcmd 
 names, units and values of these kinds.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Generic, Literal, Protocol, TypeVar
@@ -64,7 +64,7 @@ def marker(time: float, kind: str, text: str) -> Marker:
 class Physical:
     """Computed column: stored value times `scale`, rounded to `digits` decimal places.
 
-    `scales`: value in the column `SOURCE` → scale of this board, if it differs from `scale`.
+    `scales`: value in the column `SOURCE` → scale of that board, if it differs from `scale`.
     """
 
     name: str
@@ -104,7 +104,8 @@ class SampleKind:
 
     @property
     def exported(self) -> tuple[str, ...]:
-        return tuple(name for column in self.columns for name in _names(column))
+        pairs = ((column, column.physical) for column in self.columns)
+        return tuple(part.name for pair in pairs for part in pair if part is not None)
 
     def cells(self, record: Timestamped) -> dict[str, Value]:
         cells: dict[str, Value] = {}
@@ -116,12 +117,6 @@ class SampleKind:
                     None if count is None else round(count * physical.scale, physical.digits)
                 )
         return cells
-
-
-def _names(column: Column) -> Iterator[str]:
-    yield column.name
-    if column.physical is not None:
-        yield column.physical.name
 
 
 MARKERS = SampleKind(

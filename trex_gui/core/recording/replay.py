@@ -11,7 +11,7 @@ from trex_gui.core.recording.store import CHUNK, Recording
 
 
 class ReplayState(Protocol):
-    """State of a device. Later records do not change a copy of it."""
+    """State of a device. Later records do not change earlier copies of the state."""
 
     def update(self, record: Any, /) -> None: ...
 

@@ -256,10 +256,11 @@ class Recording(Generic[HeaderT, RecordT]):
             for companion in _companions(path):
                 with contextlib.suppress(FileNotFoundError):
                     check_ordinary(companion)
-        log = path.with_name(f"{path.name}-wal")  # has committed records that are not yet synced
+        # The log contains committed records that are not yet synced.
+        log = path.with_name(f"{path.name}-wal")
         if size < page_size * pages and not log.exists():
             self.problems.append(tr("The end of the file is missing."))
-        self._open = contextlib.ExitStack()
+        self._resources = contextlib.ExitStack()
         try:
             self._database = self._connect()
             with reported(path, _DAMAGED):
@@ -278,7 +279,7 @@ class Recording(Generic[HeaderT, RecordT]):
         log = path.with_name(f"{path.name}-wal")
         if log.exists():
             with contextlib.suppress(OSError):
-                copy = Path(self._open.enter_context(TemporaryDirectory()))
+                copy = Path(self._resources.enter_context(TemporaryDirectory()))
                 for part in (path, log):
                     shutil.copyfile(part, copy / part.name)
                 yield f"{(copy / path.name).as_uri()}?mode=ro"
@@ -309,7 +310,7 @@ class Recording(Generic[HeaderT, RecordT]):
                     raise self._error(message) from error
                 reason = reason_of(error)
             else:
-                self._open.callback(database.close)
+                self._resources.callback(database.close)
                 return database
         raise self._error(tr(_NOT_READ).format(reason))
 
@@ -358,9 +359,9 @@ class Recording(Generic[HeaderT, RecordT]):
     def _checked_tables(self, kinds: Iterable[SampleKind]) -> tuple[SampleKind, ...]:
         """Return the kinds that the file contains. Report missing kinds.
 
-        A kind may be missing because it is newer than the file. Raises RecordingError if the table
-        of markers, which every version writes, is missing. Also raises it for a table with an
-        unexpected structure.
+        A kind may be missing because it is newer than the file. Raises RecordingError if a
+        table has an unexpected structure, or if there is no table of markers, which every version
+        writes.
         """
         available = []
         query = "SELECT name FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE%'"
@@ -401,7 +402,7 @@ class Recording(Generic[HeaderT, RecordT]):
         return min(last, _size(self._database))  # each record takes more than one byte
 
     def close(self) -> None:
-        self._open.close()
+        self._resources.close()
 
     def read(self, first: int, last: int) -> list[RecordT]:
         """Return the records with the numbers `first` to `last`. Report damaged records."""
