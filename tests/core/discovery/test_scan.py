@@ -16,7 +16,7 @@ from trex_gui.core.discovery.prober import (
     ProberInfo,
     ScanProgress,
 )
-from trex_gui.core.discovery.scan import PortScan, order, scan_port
+from trex_gui.core.discovery.scan import PortScan, probe_order, scan_port
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
@@ -76,9 +76,14 @@ def search(wire: Wire, probers: dict[str, ProberInfo], first: str | None = None)
 def test_likely_settings_of_the_expected_kind_come_first() -> None:
     parts = {"common": (5, 83), "rare": (5, 9)}
     as_listed = [("common", 0), ("rare", 0), ("common", 1), ("rare", 1)]
-    assert order(parts, None) == order(parts, "common") == order(parts, "unknown") == as_listed
-    assert order(parts, "rare") == [("rare", 0), ("common", 0), ("rare", 1), ("common", 1)]
-    assert order({"common": (5, 83), "rare": (5,)}, None) == as_listed[:3]
+    assert (
+        probe_order(parts, None)
+        == probe_order(parts, "common")
+        == probe_order(parts, "unknown")
+        == as_listed
+    )
+    assert probe_order(parts, "rare") == [("rare", 0), ("common", 0), ("rare", 1), ("common", 1)]
+    assert probe_order({"common": (5, 83), "rare": (5,)}, None) == as_listed[:3]
 
 
 def test_search_follows_order_and_opens_port_once() -> None:

@@ -25,8 +25,8 @@ class Evidence(IntEnum):
 
     SILENCE = 0
     ECHO = 1
-    STRANGE = 2
-    KNOWN = 3
+    STRANGE = 2  # bytes that are not a valid reply
+    KNOWN = 3  # replies that identify the device or the problem
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,8 +1,8 @@
 """Scan of one port for devices of any kind.
 
 The port is opened only once, because some adapters reset their board whenever the port is opened.
-The settings of a device found earlier are probed first. Then each of these steps runs only if the
-previous steps have found nothing:
+The settings of a device found earlier are probed first. Then these steps run until a device is
+found:
 
 1. Listen for 0.3 s at the baud rate at which boards send their start-up message. This is harmless,
    and a scan would wait that long anyway.
@@ -49,7 +49,7 @@ class PortScan:
     """Result of a scan."""
 
     device: str = ""  # key of the kind of device found, or empty
-    found: Sequence[FoundDevice] = ()  # all devices found; they are of this kind
+    found: Sequence[FoundDevice] = ()  # all devices found, which are of the kind `device`
     diagnoses: list[Diagnosis] = field(default_factory=list)  # sorted, strongest evidence first
     error: StudioError | None = None
     cancelled: bool = False
@@ -144,7 +144,7 @@ def _probe_in_order(
     cancelled: Callable[[], bool],
 ) -> list[str]:
     """Run the probers until one of them has identified its device. Return the probed kinds."""
-    plan = order({key: prober.parts for key, prober in running.items()}, first)
+    plan = probe_order({key: prober.parts for key, prober in running.items()}, first)
     totals = [running[key].parts[part] for key, part in plan]
     probed: dict[str, None] = {}
     for index, (key, part) in enumerate(plan):
@@ -164,7 +164,7 @@ def _probe_in_order(
     return list(probed)
 
 
-def order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[str, int]]:
+def probe_order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[str, int]]:
     """Return pairs of kind and part in the order in which they are probed."""
     keys = sorted(parts, key=lambda key: key != first)
     count = max(map(len, parts.values()), default=0)

@@ -31,7 +31,7 @@ _watching_since: list[str] = []
 
 
 def watching_since() -> str:
-    """Return the time of the first heartbeat, formatted as in the log. `9999` if none was sent."""
+    """Return the time of the first heartbeat as in the log. `9999` if none has been sent."""
     return _watching_since[0] if _watching_since else "9999"
 
 
@@ -72,7 +72,8 @@ class Guardian(Protocol):
 
     Attributes:
         is_ready: True if the process is running, responds and has not acted.
-        has_acted: True if the process has started to stop the motors. It may still use the line.
+        has_acted: True if the process has started to stop the motors. The process may still use the
+            line.
     """
 
     @property
@@ -98,8 +99,8 @@ class GuardianProcess:
     def __init__(self, port: SharedPort | None, silence: float, file: Path | None = None) -> None:
         """Start a process that acts after `silence` seconds without a heartbeat.
 
-        `port`: `None` if the port has no descriptor. No process is started then. `file`: path of a
-        file that exists while motors may be moving.
+        `port`: `None` if the port has no descriptor. In this case no process is started. `file`:
+        path of a file that exists while motors may be moving.
         """
         self._sent: StopSequence | None = None
         self._is_confirmed = False
@@ -196,7 +197,7 @@ class GuardianProcess:
         with self._writing:
             if process is None or process.stdin is None or self._ended.is_set():
                 return False
-            # The message counts before it is written, because the process may read it at once.
+            # Counted before the write, because the process may read the message at once.
             self._unread_since = self._unread_since if self._unread else time.monotonic()
             self._unread += 1
             try:
@@ -211,8 +212,7 @@ class GuardianProcess:
 def _message(stop: StopSequence) -> str:
     stop_text = (
         f"{stop.packets.hex()} {','.join(query.hex() for query in stop.queries)} "
-        f"{stop.reply_size} {stop.error_mask} "
-        f"{stop.has_echo:d} {stop.seconds}"
+        f"{stop.reply_size} {stop.error_mask} {stop.has_echo:d} {stop.seconds}"
     )
     note = f"{stop.note}stop: {stop_text}\n".encode(errors="surrogateescape")
     return f"watch {stop_text} {note.hex()}"
@@ -227,12 +227,13 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
         options = {"startupinfo": startup, "creationflags": flags}
         os.set_handle_inheritable(number, True)
     else:
-        # At least 3, because 0 to 2 become pipes. A new session receives no terminal signals.
+        # The number must be at least 3, because 0 to 2 become standard streams. A process in a
+        # new session receives no signals from the terminal.
         number = fcntl.fcntl(number, fcntl.F_DUPFD_CLOEXEC, 3)
         options = {"pass_fds": [number], "start_new_session": True}
     command = [sys.executable, "--guardian"]
     if not getattr(sys, "frozen", False):
-        # With -I and -S, Python ignores the user's set-up.
+        # With -I and -S, Python ignores the user's configuration.
         command[1:] = ["-I", "-S", str(Path(__file__).with_name("process.py"))]
         if sys.platform == "win32":
             # In a virtual environment, `executable` is a launcher that would continue to run.

@@ -34,7 +34,7 @@ if sys.platform != "win32":
 
 _GIVE_UP_S = 5.0  # maximum duration of a stop in seconds
 _GRACE_S = 0.02  # extra wait in seconds for a heartbeat in transit
-_LATE_S = 0.05  # if a wait ends this much too late (s), this process has been suspended
+_LATE_S = 0.05  # if a wait ends this much later than due (s), this process was suspended
 _LATE_GRACE_S = 0.1  # extra wait in seconds for messages after a suspension
 _CLEAN_ROUNDS = 2  # consecutive rounds of error-free replies that confirm a stop
 _QUIET_S = 0.03
@@ -243,8 +243,8 @@ def maintain_file(
     """Write each note to a locked file. `None` ends the loop.
 
     An empty note removes the file. The loop runs in its own thread, so that a slow disk never
-    delays a stop. A note is not written again if it is unchanged, except after a failure. `written`
-    is called once the file contains a new note.
+    delays a stop. An unchanged note is written again only after a failure. `written` is
+    called once the file contains a new note.
     """
     file: FileIO | None = None
     last = b""
@@ -382,7 +382,7 @@ class Watchdog:
         return len(reply) == echo + stop.reply_size and not reply[echo] & stop.error_mask
 
     def _read(self, size: int, seconds: float) -> bytes:
-        """Return `size` bytes, but fewer after a timeout and more from a busy line."""
+        """Return `size` bytes, or fewer after a timeout, or more from a busy line."""
         received = b""
         end = time.monotonic() + seconds
         while len(received) < size and (remaining := end - time.monotonic()) > 0:
