@@ -52,7 +52,7 @@ def print_json(value: object) -> None:
 
 
 @contextlib.contextmanager
-def refusals() -> Iterator[None]:
+def reported_errors() -> Iterator[None]:
     """Convert a StudioError to CommandFailed."""
     try:
         yield
@@ -94,9 +94,9 @@ class Interruption:
     """Records requests to end the program (Ctrl-C, SIGTERM, a closed terminal).
 
     The command checks for a request between two transactions. A second request ends the program
-    at once, unless the command is one that `must_finish`. Such a command is never suspended.
-    Ctrl-Z is then a request to end it, and terminal access from the background does not suspend
-    it. Signals that were ignored when the program started (`nohup`) stay ignored.
+    at once, unless `must_finish` is true. A command that must finish is never suspended: Ctrl-Z
+    requests its end, and terminal access from the background does not suspend it. Signals that were
+    ignored when the program started (`nohup`) stay ignored.
     """
 
     def __init__(self, *, must_finish: bool = False) -> None:
@@ -151,7 +151,7 @@ def required_port(port: str | None) -> str:
     """Return the URL of `--port`. Raises UsageError if it is missing."""
     if not port:
         raise click.UsageError(
-            "Which port? Give --port, or set TREX_PORT. `trexcmd list` shows the ports."
+            "No port is given. Pass --port or set TREX_PORT. `trexcmd list` shows the ports."
         )
     return port
 
@@ -229,7 +229,7 @@ def traffic_option(
         def finish() -> None:
             writer.close()
             if writer.error is not None:
-                say(f"{file} is not complete: {writer.error.strerror or writer.error}.")
+                say(f"{file} is incomplete: {writer.error.strerror or writer.error}.")
 
         open_transport = open_logged(current.open_transport)
         context.obj = replace(current, open_transport=open_transport, logged=open_logged)
@@ -241,5 +241,5 @@ def traffic_option(
         metavar="FILE",
         expose_value=False,
         callback=start,
-        help="Write every byte on the line and its meaning to FILE, as the traffic page does.",
+        help="Write all bytes on the line and their meaning to FILE, like the Traffic page.",
     )

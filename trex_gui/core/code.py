@@ -34,7 +34,7 @@ def render(name: str, **values: object) -> str:
 
 @cache  # compiling takes longer than rendering
 def _template(name: str) -> "Template":
-    from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - needed only for an export
+    from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - only for an export
 
     environment = Environment(
         trim_blocks=True,

@@ -31,7 +31,7 @@ class _Output:
     r"""Stream that shows control characters as escapes such as `\u001b`.
 
     The encoding is UTF-8 unless the stream is a terminal. The command fails if it cannot write
-    data. Messages that it cannot write are lost. `below` is the original stream.
+    data. Messages that cannot be written are lost. `below` is the original stream.
     """
 
     encoding = "utf-8"  # click would replace an ASCII stream

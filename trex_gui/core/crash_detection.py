@@ -48,7 +48,7 @@ class RunFile:
 
 
 def _rename_abandoned() -> bool:
-    """Rename the files of dead processes to `crash_file`. Return whether there was any."""
+    """Rename the files of dead processes to `crash_file`. Return whether there were any."""
     found = False
     for path in log_folder().glob("run-*.txt"):
         with suppress(OSError):  # on Windows an open file cannot be renamed

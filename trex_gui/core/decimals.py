@@ -43,7 +43,7 @@ def quantity(text: str, unit: str, *, thousands: bool = True) -> float | None:
     """Return the number in `text`, converted to `unit`.
 
     The unit in the text may have a different metric prefix, or may be missing. Return `None` if
-    the text has no number or a different unit. `thousands` counts as True for a different prefix.
+    the text has no number or a different unit. With a different prefix, `thousands` counts as True.
     """
     if (match := _QUANTITY.fullmatch(text)) is None:
         return None

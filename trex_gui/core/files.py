@@ -132,7 +132,7 @@ _ABANDONED_S = 600.0  # seconds; an older draft was left by a killed program
 
 @cache
 def remove_abandoned(folder: Path) -> None:
-    """Remove the drafts that killed programs have left in a folder. Acts once per folder."""
+    """Remove the drafts that killed programs have left in a folder. Runs only once per folder."""
     oldest = time.time() - _ABANDONED_S
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
@@ -257,16 +257,16 @@ def save(path: Path, content: str | bytes) -> None:
             file.write(data)
 
 
-def save_over(path: Path, content: str | bytes, known: bytes | None) -> bool:
-    """Write a file if it still contains `known`. Return whether it was written.
+def save_over(path: Path, content: str | bytes, expected: bytes | None) -> bool:
+    """Write a file if it still contains `expected`. Return whether it was written.
 
-    If `known` is `None`, any content is overwritten. A missing file is created. After a
+    If `expected` is `None`, any content is overwritten. A missing file is created. After a
     SettingsError the file is unchanged.
     """
-    if known is not None:
+    if expected is not None:
         # After an OSError here, `save` creates the file or reports the reason.
         with contextlib.suppress(OSError), open_ordinary(path) as file:
-            if file.read(len(known) + 1) != known:
+            if file.read(len(expected) + 1) != expected:
                 return False
     save(path, content)
     return True

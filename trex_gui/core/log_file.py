@@ -19,7 +19,7 @@ _OLDER_FILES = 3  # number of older files in addition to the newest file
 _MAX_LENGTH = 20_000  # characters per entry, including the traceback
 _MAX_QUEUED = 10_000  # entries queued for a slow disk
 _REPEATED_S = 60.0
-"""Period in seconds in which a repeated entry is only counted.
+"""Period in seconds within which a repeated entry is only counted.
 
 Otherwise an error that repeats thirty times a second would displace all other entries."""
 
@@ -58,7 +58,8 @@ class ProgramLog:
     def close(self, timeout: float = 2.0) -> bool:
         """Write the remaining entries. Return False after a timeout (s).
 
-        After a timeout, Python would wait for the disk at exit. Only `os._exit` ends the process.
+        After a timeout, a normal exit would wait for the disk. Only `os._exit` ends the process at
+        once.
         """
         logging.getLogger().removeHandler(self._handler)
         logging.getLogger("trex_gui").setLevel(self._level)

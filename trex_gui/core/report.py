@@ -68,7 +68,7 @@ class ReportFile:
 
 @dataclass(frozen=True, slots=True)
 class Mask:
-    """Personal data that `clean` replaces by placeholders such as `<user>`."""
+    """Personal data that `clean` replaces with placeholders such as `<user>`."""
 
     home: str = ""
     user: str = ""
@@ -119,7 +119,7 @@ def create_report(
 ) -> tuple[ReportFile, ...]:
     """Return the non-empty files of a report: the program's own files and `parts`.
 
-    This may take several seconds. The file of a part that fails contains the error.
+    This may take several seconds. If a part fails, its file contains the error.
     """
     mask = mask or Mask.of_this_computer()
     own: dict[str, Callable[[], str]] = {

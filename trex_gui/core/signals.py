@@ -30,8 +30,8 @@ FROM_TERMINAL = ("SIGTTIN", "SIGTTOU")
 """Signals for terminal access from the background.
 
 By default they suspend a program. If they are ignored, writing works and reading fails. This suits
-a program that moves motors and does not need a terminal. A handler would be called again and again
-forever, because Python repeats the interrupted call."""
+a program that moves motors and does not need a terminal. A handler would be called over and
+over, because Python repeats the interrupted call."""
 
 
 def handled_signals(names: Iterable[str]) -> list[signal.Signals]:

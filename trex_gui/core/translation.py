@@ -27,8 +27,7 @@ def tr(text: str, comment: str = "", count: int = -1) -> str:
     `comment` distinguishes equal texts that need different translations. `count` replaces `%n` and
     selects the plural form.
     """
-    translate = _english if _is_english.get() else _translate
-    return translate(text, comment, count)
+    return (_english if _is_english.get() else _translate)(text, comment, count)
 
 
 def tr_noop(text: str, comment: str = "") -> str:

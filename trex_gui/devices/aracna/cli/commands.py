@@ -12,7 +12,7 @@ from trex_gui.core.cli import (
     json_option,
     port_option,
     print_json,
-    refusals,
+    reported_errors,
     say,
     timeout_option,
     traffic_option,
@@ -185,7 +185,7 @@ def play(
         CommandSession(settings, interrupted, report_motors=False) as session,
     ):
         limits = _limits(session.robot.motors, lifted=no_limits)
-        with refusals():
+        with reported_errors():
             steps = steps_of(sequence, project.poses, limits)
             first = blend_in(sequence, project.poses, limits)
         used_names = {step.pose_name for step in sequence.steps}
@@ -221,7 +221,7 @@ def _check_limits(goals: tuple[int, ...]) -> None:
 
 
 def _read_project(file: str) -> Project:
-    with refusals():
+    with reported_errors():
         pose_file = read_file(Path(file))
     for finding in pose_file.findings:
         say(f"{file}: {finding}")

@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
+from trex_gui.core.cli import CommandFailed, json_option, print_json, reported_errors, say
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import Finding, SettingsError, Severity
 from trex_gui.core.texts import counted
@@ -127,7 +127,7 @@ def check_settings(
     if fix and board is not None and out is None:
         raise click.UsageError("--for never changes IN. Give the file to write as OUT.")
     name = name_of(file)
-    with refusals():
+    with reported_errors():
         data = content_of(file)
     checked = _Checked(data)
     text = ""

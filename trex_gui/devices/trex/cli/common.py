@@ -13,7 +13,7 @@ from trex_gui.core.cli import (
     all_options,
     hexadecimal,
     port_option,
-    refusals,
+    reported_errors,
     required_port,
     shell_words,
     timeout_option,
@@ -209,7 +209,7 @@ def open_port(
 @contextlib.contextmanager
 def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
     """Open the line and yield its client. A StudioError becomes CommandFailed."""
-    with refusals(), _open_client(*open_port(settings)) as client:
+    with reported_errors(), _open_client(*open_port(settings)) as client:
         yield client
 
 
@@ -218,7 +218,7 @@ def open_line_for_writing(
     settings: ConnectionSettings,
 ) -> Iterator[tuple[TrexClient, frozenset[int] | None]]:
     """Open the line. Also yield the baud rates that the port supports, or `None` if unknown."""
-    with refusals():
+    with reported_errors():
         transport, settings = open_port(settings)
         rates = transport.rates(baud_rates())  # allowed only before the first packet
         with _open_client(transport, settings) as client:

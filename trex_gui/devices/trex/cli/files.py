@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
+from trex_gui.core.cli import CommandFailed, json_option, print_json, reported_errors, say
 from trex_gui.core.code import Language
 from trex_gui.core.command_io import FAILURE_EXIT_CODE, FileName
 from trex_gui.core.files import LARGEST_FILE, load, save
@@ -37,7 +37,7 @@ def content_of(file: str) -> bytes:
 
 
 def read_file(file: str) -> Settings:
-    with refusals():
+    with reported_errors():
         settings, findings = read_settings(content_of(file), name_of(file))
     for finding in findings:
         say(f"{name_of(file)}: {finding}")
@@ -48,7 +48,7 @@ def save_file(file: str, text: str) -> None:
     if file == "-":
         click.echo(text, nl=False)
         return
-    with refusals():
+    with reported_errors():
         save(Path(file), text)
 
 

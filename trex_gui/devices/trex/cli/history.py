@@ -7,7 +7,7 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
+from trex_gui.core.cli import CommandFailed, json_option, print_json, reported_errors, say
 from trex_gui.core.files import load
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import link_options
@@ -92,7 +92,7 @@ def show(which: str, as_json: bool) -> None:
     path = _path_of(which)
     settings = read_file(str(path))
     if not as_json:
-        with refusals():
+        with reported_errors():
             click.echo(load(path).decode("utf-8-sig"), nl=False)
         return
     report = {
@@ -139,7 +139,7 @@ def name(which: str, name: str | None, note: str | None) -> None:
     texts = {kind: text for kind, text in given.items() if text is not None}
     if not texts:
         raise click.UsageError("Give a name, or a note with --note.")
-    with refusals():
+    with reported_errors():
         SettingsHistory().label(_snapshot_of(which), **texts)
 
 
@@ -170,7 +170,7 @@ def limit_command(count: str | None, yes: bool) -> None:
         total = counted(len(history.snapshots()), "snapshot")
         which = "the oldest one" if excess == 1 else f"the oldest {excess}"
         click.confirm(f"Remove {which} of {total} permanently?", abort=True, err=True)
-    with refusals():
+    with reported_errors():
         removed = len(history.set_limit(new_limit))
     if removed:
         say(f"{counted(removed, 'snapshot')} removed.")

@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, Interruption, refusals, say, seconds_option
+from trex_gui.core.cli import CommandFailed, Interruption, reported_errors, say, seconds_option
 from trex_gui.core.errors import (
     BadReply,
     BadRequest,
@@ -118,7 +118,7 @@ def run_motors(
             "--traffic needs the serial line. Use it with trexcmd serve instead."
         )
     if not is_served(settings.url):
-        with refusals():  # Ctrl-C may interrupt a slow connection over the network
+        with reported_errors():  # Ctrl-C may interrupt a slow connection over the network
             transport = host().open_transport(settings)
         clock, wait, open_port = transport.clock, transport.wait, lambda _settings: transport
     with Interruption(must_finish=True) as interrupted:
@@ -175,7 +175,7 @@ def stop(robots: tuple[str, ...], boards: str, **options: Any) -> None:
 def _stop_served(names: Sequence[str]) -> None:
     from trex_gui.devices.trex.serve.robots import Robots  # noqa: PLC0415 - an extra
 
-    with refusals(), Robots() as boards:
+    with reported_errors(), Robots() as boards:
         results = boards.stop(names)
     for url, error in results.items():
         say(f"{url}: {error or 'stopped.'}")

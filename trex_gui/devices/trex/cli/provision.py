@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import refusals, say
+from trex_gui.core.cli import reported_errors, say
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.host import host
@@ -89,7 +89,7 @@ def provision(
     if pulse and not sys.stdin.isatty():
         raise click.UsageError("--pulse needs a terminal, because a pipe cannot report a held key.")
     target = read_file(profile)
-    with refusals():
+    with reported_errors():
         record = ProvisionRecord(Path(file), name=name, first=first)
         setup = _Setup(link, profile, target, record, pulses=pulse)
         done = 0

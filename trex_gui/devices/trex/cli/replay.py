@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from trex_gui.core.cli import CommandFailed, refusals, say
+from trex_gui.core.cli import CommandFailed, reported_errors, say
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError, load
@@ -58,7 +58,7 @@ def replay(file: str, everything: bool) -> None:
     motor moves. Probes that searched for a board are left out. For measurements and error bits,
     only the sizes of the replies are compared. The exit code is 1 if a reply differs.
     """
-    with refusals():
+    with reported_errors():
         recorded = RecordedTraffic.load(Path(file))
     rows = recorded.rows
     say(f"Simulated board: {recorded.text()}.")

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import refusals, say
+from trex_gui.core.cli import reported_errors, say
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import StudioError
 from trex_gui.core.host import host
@@ -35,7 +35,7 @@ def report(file: str, **options: Any) -> None:
     serial numbers of adapters are masked. If no board replies, the report says why. Reading the
     error bits clears them in the board.
     """
-    with refusals():
+    with reported_errors():
         files = create_report(_parts(options))
         if file == "-":
             for part in files:

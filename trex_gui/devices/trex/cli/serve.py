@@ -10,7 +10,14 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli import CommandFailed, Interruption, json_option, print_json, refusals, say
+from trex_gui.core.cli import (
+    CommandFailed,
+    Interruption,
+    json_option,
+    print_json,
+    reported_errors,
+    say,
+)
 from trex_gui.core.command_io import FileName
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import load, save
@@ -103,7 +110,7 @@ def serve(
     if new_user is not None:
         if users_file is None:
             raise click.UsageError("--add-user needs --users FILE.")
-        with refusals():
+        with reported_errors():
             secret = add_user(Path(users_file), new_user, role)
         say(f"Added {new_user} with the role {role}. Secret for TREX_SECRET or the secrets file:")
         click.echo(secret)
@@ -113,7 +120,7 @@ def serve(
             f"{name!r} is not a name: use letters, digits, hyphens, underscores and dots."
         )
     settings = grouped(link_settings(options), boards)
-    with refusals():
+    with reported_errors():
         users = read_users(Path(users_file)) if users_file else ()
         address = Address.of_host(listen or (_EVERYWHERE if users else "127.0.0.1"))
         if not users and not _is_local(address.host):
@@ -229,7 +236,7 @@ def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> Non
     Queries the given computers. By default, queries this computer, the computers in the secrets
     file, and every server that responds on the local network.
     """
-    with refusals():
+    with reported_errors():
         with Robots() as boards:
             rows = boards.find(hosts)
         if release is not None:
