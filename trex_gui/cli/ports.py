@@ -35,7 +35,7 @@ def _ports(selected: str | None) -> list[str]:
         return [selected]
     ports = sorted(port.device for port in list_ports.comports())
     if not ports:
-        say("This computer has no serial ports; use --port for other kinds of port.")
+        say("This computer has no serial port. Use --port for a port of another kind.")
     return ports
 
 
@@ -47,7 +47,7 @@ def list_command(as_json: bool, **options: Any) -> None:
 
     Never moves the motors of a TReX or Aracna. With --port, probes only that port. To find a board
     whose line settings are unknown, use `trexcmd find`. If other devices share the line, pass
-    --reserve.
+    their numbers with --reserve.
     """
     rows: list[dict[str, Any]] = []
     unreachable = False
@@ -66,7 +66,7 @@ def list_command(as_json: bool, **options: Any) -> None:
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    """Return the answer of the first device that replies, or the texts of all kinds combined."""
+    """Return the answer of the first device that replies, or the combined texts of all kinds."""
     texts = []
     for plugin in PLUGINS:
         answer = plugin.port_reports.load().identify(url, options)
@@ -83,8 +83,8 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
 @click.option(
     "--full",
     is_flag=True,
-    help="Also try every CRC polynomial (takes a few minutes), and, wherever something replies, "
-    "every device number. All boards on the line must run at the same rate.",
+    help="Also try every CRC polynomial, which takes a few minutes, and every device number "
+    "wherever a device replies. All boards on the line must use the same baud rate.",
 )
 @timeout_option
 @traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder"), is_search=True)
@@ -92,8 +92,8 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
 def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bool) -> None:
     """Find a board whose serial settings are unknown.
 
-    Probes for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
-    rate with every parity and with CRC-7, on one port or on all ports. Prints the options needed
+    Probes one port or all ports, first for a TReX at the likely baud rates, then for an Aracna,
+    then for a TReX at every baud rate with every parity and with CRC-7. Prints the options needed
     to connect to the board. Never moves the motors or changes the settings of a TReX or Aracna. If
     devices of other kinds share the line, use `boards --reserve` instead, because such devices may
     react to the probes. A TReX at another rate latches UART errors, and stops its motors if it is

@@ -69,7 +69,7 @@ class _Program(click.Group):
             formatter.write_dl([(name, info.help) for name, info in COMMANDS.items()])
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> "list[CompletionItem]":
-        from click.shell_completion import CompletionItem  # noqa: PLC0415 - only for a shell
+        from click.shell_completion import CompletionItem  # noqa: PLC0415 - for completion
 
         return [
             *(
@@ -84,7 +84,7 @@ class _Program(click.Group):
 def _run_guardian(
     context: click.Context, _option: click.Parameter, arguments: tuple[str, ...] | None
 ) -> None:
-    """Run the guardian process. A bundled executable starts the guardian with this option."""
+    """Run the guardian process. A bundled executable starts itself with `--guardian`."""
     if arguments:
         from trex_gui.core.guardian.process import main as run  # noqa: PLC0415 - rarely needed
 
@@ -115,7 +115,7 @@ def _log_to_terminal(context: click.Context, _option: click.Parameter, verbose: 
     is_flag=True,
     expose_value=False,
     callback=_log_to_terminal,
-    help="Also print the program's log: connections, attempts, the guardian.",
+    help="Also print the program's log of connections, attempts to connect, and the guardian.",
 )
 @click.option(
     "--guardian", nargs=5, hidden=True, is_eager=True, expose_value=False, callback=_run_guardian
@@ -144,7 +144,7 @@ fish:  trexcmd completion fish > ~/.config/fish/completions/trexcmd.fish
 @click.command(help=_COMPLETION_HELP)
 @click.argument("shell", type=click.Choice(("bash", "zsh", "fish")))
 def completion(shell: str) -> None:
-    from click.shell_completion import get_completion_class  # noqa: PLC0415 - only for a shell
+    from click.shell_completion import get_completion_class  # noqa: PLC0415 - for completion
 
     completion_class = get_completion_class(shell)
     assert completion_class is not None  # noqa: S101 - click supports all three shells

@@ -63,7 +63,8 @@ def _device_options() -> list[click.Parameter]:
     "--rfc2217",
     type=_read_address,
     metavar="HOST:PORT",
-    help="Serve a remote serial port (RFC 2217). Only this kind of port shows the host's parity.",
+    help="Serve a remote serial port (RFC 2217). Only this kind of port tells the simulator the "
+    "host's parity.",
 )
 @click.version_option(__version__, prog_name="trex-sim")
 @click.pass_context
@@ -96,8 +97,8 @@ def simulate(context: click.Context) -> Simulation:
     device = next((key for key in _SIMULATORS if options.get(key)), _DEFAULT)
     for key, simulator in _SIMULATORS.items():
         for option in simulator.options:
-            given = context.get_parameter_source(option.name or "")
-            if key != device and given is not ParameterSource.DEFAULT:
+            source = context.get_parameter_source(option.name or "")
+            if key != device and source is not ParameterSource.DEFAULT:
                 raise click.UsageError(f"{option.opts[0]} does not apply to the device {device}")
     selected = _SIMULATORS[device]
     values = {option.name: options[option.name] for option in selected.options if option.name}
@@ -107,8 +108,8 @@ def simulate(context: click.Context) -> Simulation:
 def _endpoint(
     link: Path | None, tcp: tuple[str, int] | None, rfc2217: tuple[str, int] | None, baud: int
 ) -> Endpoint:
-    has_terminals = sys.platform != "win32"
-    if tcp is None and rfc2217 is None and link is None and not has_terminals:
+    has_pseudo_terminals = sys.platform != "win32"
+    if tcp is None and rfc2217 is None and link is None and not has_pseudo_terminals:
         tcp = ("127.0.0.1", 0)
     if tcp is not None:
         return TcpEndpoint(*tcp)
@@ -117,7 +118,7 @@ def _endpoint(
         from trex_gui.core.simulator.rfc2217_endpoint import Rfc2217Endpoint  # noqa: PLC0415
 
         return Rfc2217Endpoint(*rfc2217, baud)
-    if not has_terminals:
+    if not has_pseudo_terminals:
         raise click.UsageError("this system has no pseudo-terminals; use --tcp or --rfc2217")
     from trex_gui.core.simulator.pty_endpoint import PtyEndpoint  # noqa: PLC0415
 
