@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-_FIRST_PAINT_MS = 100  # the window is drawn in this time, before its hidden parts are loaded
+_FIRST_PAINT_MS = 100  # time for drawing the window before its hidden parts are loaded
 
 
 def _seconds(text: str) -> float:
@@ -38,7 +38,7 @@ def _seconds(text: str) -> float:
 
 def _url(text: str) -> str:
     if not text:
-        raise argparse.ArgumentTypeError("the port has no name")
+        raise argparse.ArgumentTypeError("the name of the port is empty")
     if problem := url_problem(text):
         raise argparse.ArgumentTypeError(problem)
     return text
@@ -46,7 +46,7 @@ def _url(text: str) -> str:
 
 def _path(text: str) -> Path:
     if not text:  # usually an unset shell variable
-        raise argparse.ArgumentTypeError("the name is empty")
+        raise argparse.ArgumentTypeError("the path is empty")
     return Path(text)
 
 
@@ -61,15 +61,16 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--device",
         choices=[plugin.key for plugin in composition.PLUGINS],
-        help="kind of device for --demo or --port (default: the kind found on that port, "
-        f"otherwise a {composition.PLUGINS[0].name})",
+        help="kind of device for --demo or --port (default: the kind found on the port, "
+        f"otherwise {composition.PLUGINS[0].name})",
     )
     parser.add_argument(
         "--settings",
         metavar="FILE",
         type=_path,
-        help="settings file to compare with the board once it is connected; without --port or "
-        "--demo, the file is only opened; a file of poses (.ppr) opens in the robot's workspace",
+        help="settings file to compare with the board once the board is connected (without --port "
+        "or --demo, the file is only opened), or a pose file (.ppr) to open in the workspace of "
+        "the robot",
     )
     parser.add_argument(
         "--timeout",
@@ -93,7 +94,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     return parser.parse_args(argv)
 
 
-def complete(
+def load_hidden_parts(
     program: "Program", collector: "GuiThreadCollector", *, has_crashed: bool = False
 ) -> None:
     """Load the parts of the window that are not visible at first.
@@ -180,7 +181,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     from trex_gui.ui.translations import install_translations, selected_locale  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
 
-    # `platform.platform()` would take 50 ms. The support report includes its result.
+    # Not `platform.platform()`, which takes 50 ms. Its result is in the support report.
     system = f"{platform.system()} {platform.release()} {platform.machine()}"
     python, qt = platform.python_version(), qVersion()
     log.info("TReX Studio %s started on %s, Python %s, Qt %s", __version__, system, python, qt)
@@ -188,7 +189,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     QApplication.setOrganizationName("TReX Studio")
     QApplication.setApplicationVersion(__version__)
     QApplication.setDesktopFileName("trex-studio")
-    # Native dialogs would consume Esc, but Esc must stop the motors in dialogs, too.
+    # Native dialogs would consume Esc, which must stop the motors even while a dialog is open.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
     run_file = RunFile()  # after QApplication, which aborts without a display
@@ -201,11 +202,11 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     supervisor = SafetySupervisor(program, app, end_log=program_log.close)
     if sys.platform == "linux":
         skip_exit_handlers()
-    load_rest = partial(complete, program, collector, has_crashed=run_file.found_crash)
+    load_rest = partial(load_hidden_parts, program, collector, has_crashed=run_file.found_crash)
     QTimer.singleShot(_FIRST_PAINT_MS, load_rest)
     start(program, arguments)
     code = app.exec()
-    # The windows are hidden first, because closing the line or a recording may take seconds.
+    # Hide the windows first, because closing the line or a recording may take seconds.
     for window in app.topLevelWidgets():
         window.hide()
     has_ended = program.shut_down()

@@ -27,10 +27,10 @@ log = logging.getLogger(__name__)
 UNCONFIRMED_STOP = 1  # exit code if motors may still turn
 INTERNAL_ERROR = 1  # exit code if the interpreter ends while the event loop runs
 
-_REPEAT_S = 1.0  # an error that recurs within this time (s) may be caused by its own report
+_REPEAT_S = 1.0  # seconds within which a recurring error may be caused by its own report
 
 _POLL_INTERVAL_MS = 500
-_MIN_SLEEP_S = 1.0  # seconds; the two clocks are read one after the other and differ slightly
+_MIN_SLEEP_S = 1.0  # seconds; the two clocks are not read at the same time, so they differ slightly
 
 
 class SafetySupervisor(QObject):
@@ -60,7 +60,7 @@ class SafetySupervisor(QObject):
             lambda: stop_now(ending=True), lambda: self._stopper.stop(suspended), self
         )
         self._exceptions = ExceptionWatch(self._error_stopper.stop)
-        self._wake = SuspendDetector(parent=self)
+        self._suspend_detector = SuspendDetector(parent=self)
         self._sleep_delay: SleepDelay | None = None
         self._session = self._session_events()
 
@@ -68,7 +68,7 @@ class SafetySupervisor(QObject):
         self._stopper.stopped.connect(program.device_manager.stop_because)
         self._error_stopper.stopped.connect(self._on_error)
         self._signals.caught.connect(self._on_signal)
-        self._wake.woke.connect(self._stopper.stop)
+        self._suspend_detector.woke.connect(self._stopper.stop)
 
     def _session_events(self) -> QObject | None:
         if sys.platform == "win32":
@@ -142,7 +142,7 @@ class SafetySupervisor(QObject):
         """Report an internal error, even if no motor had to be stopped.
 
         An error that its own report causes would recur forever. A repeated error is therefore
-        reported only if motors have been armed since. The stop has already been sent.
+        reported only if motors have been armed in the meantime. The stop has already been sent.
         """
         manager = self._program.device_manager
         is_repeated = reason == self._error and now() - self._error_at < _REPEAT_S
@@ -197,16 +197,16 @@ class ExceptionWatch:
 
     def __init__(self, stop: Callable[[str], None]) -> None:
         self._stop = stop
-        self._before = sys.excepthook, threading.excepthook, sys.unraisablehook
+        self._previous = sys.excepthook, threading.excepthook, sys.unraisablehook
         sys.excepthook = self._hook(sys.excepthook, lambda _kind, error, _trace: error)
         threading.excepthook = self._hook(threading.excepthook, lambda args: args.exc_value)
         sys.unraisablehook = self._hook(sys.unraisablehook, lambda args: args.exc_value)
 
     def close(self) -> None:
-        sys.excepthook, threading.excepthook, sys.unraisablehook = self._before
+        sys.excepthook, threading.excepthook, sys.unraisablehook = self._previous
 
     def _hook(
-        self, before: Callable[..., Any], error_of: Callable[..., BaseException | None]
+        self, previous: Callable[..., Any], error_of: Callable[..., BaseException | None]
     ) -> Callable[..., None]:
         def hook(*args: Any) -> None:
             error = error_of(*args)
@@ -214,9 +214,9 @@ class ExceptionWatch:
                 text = tr("Internal error ({0})")
                 self._stop(text.format(type(error).__name__))
             finally:
-                # `before` prints the error.
+                # The previous hook prints the error.
                 log.critical("uncaught exception", exc_info=error, extra={"printed": True})
-                before(*args)
+                previous(*args)
 
         return hook
 
@@ -225,8 +225,8 @@ def slept_so_far() -> float:
     """Return the seconds for which this computer has slept since it started. 0 if unknown.
 
     Only Linux has both a clock that pauses during sleep and a clock that continues. On Windows the
-    monotonic clock continues, so the line session detects missed heartbeats. On macOS that clock
-    pauses, so this function does not detect sleep.
+    monotonic clock continues, so the line session detects missed heartbeats. On macOS the
+    monotonic clock pauses, and sleep is not detected.
     """
     boottime = getattr(time, "CLOCK_BOOTTIME", None)
     return time.clock_gettime(boottime) - time.monotonic() if boottime is not None else 0.0
@@ -242,7 +242,7 @@ class SuspendDetector(QObject):
     ) -> None:
         super().__init__(parent)
         self._slept = slept
-        self._known = slept()
+        self._last_slept = slept()
         self._timer = QTimer(self)
         self._timer.setInterval(_POLL_INTERVAL_MS)
         self._timer.timeout.connect(self.poll)
@@ -250,6 +250,6 @@ class SuspendDetector(QObject):
 
     @Slot()
     def poll(self) -> None:
-        before, self._known = self._known, self._slept()
-        if self._known - before >= _MIN_SLEEP_S:
+        before, self._last_slept = self._last_slept, self._slept()
+        if self._last_slept - before >= _MIN_SLEEP_S:
             self.woke.emit(tr("The computer was asleep"))

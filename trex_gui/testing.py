@@ -18,7 +18,7 @@ class SimulatedTrex:
     """Process that runs `trex-sim`. Use it in a `with` statement.
 
     Attributes:
-        url: address for `Trex`, which is a pseudo-terminal, or a TCP port on Windows.
+        url: address for `Trex`: a pseudo-terminal, or a TCP port on Windows.
         process: the simulator's process.
     """
 
@@ -40,7 +40,7 @@ class SimulatedTrex:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def obey(self, line: str) -> str:
+    def control(self, line: str) -> str:
         """Send a control line. Return the reply, which may report an error."""
         assert self.process.stdin is not None  # noqa: S101 - for the type checker
         self.process.stdin.write(f"{line}\n")
@@ -53,7 +53,7 @@ class SimulatedTrex:
         Raises:
             ValueError: the simulator rejected the line.
         """
-        reply = self.obey(line)
+        reply = self.control(line)
         if not reply.startswith("ok"):
             raise ValueError(f"{line}: {reply}")
         return reply.removeprefix("ok").strip()

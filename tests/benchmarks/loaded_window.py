@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QApplication
 
 from tests.support.program import trex
 from trex_gui import composition
-from trex_gui.app import complete
+from trex_gui.app import load_hidden_parts
 from trex_gui.core.transport.traffic import TrafficDirection, TrafficEvent
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -56,7 +56,7 @@ def _connected(url: str, collector: GuiThreadCollector) -> Program:
     program = composition.build()
     program.window.show()
     _run_loop(0.2)
-    complete(program, collector)
+    load_hidden_parts(program, collector)
     device = trex(program).device
     device.connect_to(ConnectionSettings(url, LineSettings(BAUD)))
     while device.link is not ConnectionState.CONNECTED:

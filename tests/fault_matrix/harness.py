@@ -61,8 +61,8 @@ class BoardOnLine(SimulatedDevice):
         self._line = line
         self._number = number
 
-    def obey(self, line: str) -> str:
-        return self._line.obey(line if line.startswith("line") else f"@{self._number} {line}")
+    def control(self, line: str) -> str:
+        return self._line.control(line if line.startswith("line") else f"@{self._number} {line}")
 
     def set_port_fault(self, fault: PortFault) -> None:
         self._line.set_port_fault(fault)

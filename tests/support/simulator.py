@@ -42,7 +42,7 @@ class SimulatedDevice(ABC):
         """Start a fault of the port. `NONE` ends it. A jammed port obeys no control lines."""
 
     @abstractmethod
-    def obey(self, line: str) -> str:
+    def control(self, line: str) -> str:
         """Send a control line. Return the reply."""
 
     @abstractmethod
@@ -53,7 +53,7 @@ class SimulatedDevice(ABC):
         """Send control lines. Return the text after the last `ok`."""
         reply = ""
         for line in lines:
-            reply = self.obey(line)
+            reply = self.control(line)
             assert reply.startswith("ok"), f"{line}: {reply}"
         return reply.removeprefix("ok").strip()
 
@@ -119,8 +119,8 @@ class SimulatorProcess(SimulatedDevice):
             finally:
                 os.close(port)
 
-    def obey(self, line: str) -> str:
-        return self._simulated.obey(line)
+    def control(self, line: str) -> str:
+        return self._simulated.control(line)
 
     def end(self) -> None:
         self._end_fault()

@@ -55,7 +55,7 @@ class VirtualSimulator(SimulatedDevice):
         self.line.unplug()
         self.runtime.ports.pop(self.url, None)
 
-    def obey(self, line: str) -> str:
+    def control(self, line: str) -> str:
         self.catch_up()
         was_plugged = self.line.faults.plugged
         reply = self.simulation.control(line)
