@@ -63,7 +63,7 @@ def test_plot_window_is_updated_beside_another_page(
     page.trigger("plot")
     page.open_page("motorsPage")
     (shown,) = (each for each in QApplication.topLevelWidgets() if isinstance(each, PlotWindow))
-    shown.panel.plot.set_window(10)
+    shown.panel.plot.select_length(10)
     quick_simulator.do("current 1 6")
     model = WidgetDriver(shown, page.qtbot).find(QTableView, "traceTable").model()
     page.wait(lambda: model.index(0, TraceColumn.NOW).data() == "6.00 A")

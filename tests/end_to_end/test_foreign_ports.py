@@ -14,7 +14,7 @@ from trex_gui.app import connect
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.ui.devices.auto_connect import set_automatic
+from trex_gui.ui.devices.auto_connect import set_connects_automatically
 from trex_gui.ui.devices.connection import ConnectionState
 
 
@@ -140,7 +140,7 @@ def test_window_reconnects_to_the_same_adapter_only(
     window.wait_for_text("bannerText", "There is no port /dev/ttyUSB1.")
     listed.clear()
     virtual_time.advance(5.0)
-    set_automatic(False)
+    set_connects_automatically(False)
     board.do("line plug")
     listed.append(adapter("/dev/ttyUSB1", "A500001"))
     window.wait(lambda: not window.has("bannerText"))

@@ -269,8 +269,8 @@ class WindowDriver(WidgetDriver):
     def each_page(self) -> Iterator[QWidget]:
         """Yield one page after the other, in its scroll area."""
         workspace = self.program.workspace(self.program.device_manager.current.plugin.key)
-        for number in range(workspace.count):
-            workspace.show_number(number)
+        for number in range(workspace.page_count):
+            workspace.show_page_at(number)
             page = workspace.page_at(number)
             assert page is not None
             yield page

@@ -116,7 +116,7 @@ def write_in_background(
     notifier: Notifier,
     saved: Callable[[int], str],
 ) -> None:
-    """Write a text file atomically. Report `saved(rows)` or the error."""
+    """Write a text file atomically. Report `saved(number of rows)` or the error."""
     work = partial(write_text, path, write)
     report = notifier.info.emit
     _Job(owner, work, lambda rows: report(saved(rows)), notifier.report_error, saves=True)

@@ -34,8 +34,8 @@ def report_last_run(
     If there is neither, report a crash. Each stop is reported only once, except while a board is
     still running. Stops during a run of `trexcmd` are included.
 
-    `errors`: reasons why boards are still running, one per line. `until`: later events are
-    ignored. The default is the time when this program could first move motors.
+    `errors`: reasons why boards are still running, one per line. `until`: time after which events
+    are ignored. The default is the time when this program could first move motors.
     """
     until = until or watching_since()
     store = Preferences()
@@ -62,20 +62,20 @@ def report_last_run(
                     "report shows where."
                 )
             )
-        notifier.resolved.emit(Remedy.STOP_THEM)
+        notifier.resolved.emit(Remedy.STOP_MOTORS)
         if texts:
             is_problem = errors or any(result is StopResult.UNCONFIRMED for _, result in stops)
             signal = notifier.error if is_problem else notifier.info
             (notifier.danger if boards else signal).emit("\n".join(texts))
             notifier.remedies_offered.emit(
-                (Remedy.STOP_THEM,) * any(boards.values()) + (Remedy.REPORT,)
+                (Remedy.STOP_MOTORS,) * any(boards.values()) + (Remedy.REPORT,)
             )
 
     in_background(notifier, lambda: (*logged_stops(seen), driven_boards()), report, lambda _: None)
 
 
 def stop_running_boards(notifier: Notifier) -> None:
-    """Open the ports of running boards to stop them. Report the result."""
+    """Open the ports of running boards, which stops the boards. Report the result."""
 
     def stop() -> str:
         errors = []

@@ -19,7 +19,7 @@ class Remedy(Enum):
     PLUG_IN = auto()  # reconnect to a missing port; the message disappears when the port appears
     SET_UP_CRC = auto()  # enable error detection on the line
     CHECK_BOARD = auto()  # show the checklist for a board that does not respond
-    STOP_THEM = auto()  # stop motors left running; the message stays until they are stopped
+    STOP_MOTORS = auto()  # stop motors left running; the message stays until they are stopped
     REPORT = auto()  # show the support report; the message stays when a connection starts
 
 
@@ -61,7 +61,7 @@ def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies
 
 
 def never() -> bool:
-    """Return false: any message may replace the danger."""
+    """Return False, so that any message may replace the danger."""
     return False
 
 
@@ -104,7 +104,7 @@ class Notifier(QObject):
         self.error.emit(error_sentence(error))
 
     def warn(self, text: str, remedies: Remedies = (), lasts: Callable[[], bool] = never) -> None:
-        """Emit `danger` with buttons. Only another danger replaces it while `lasts()` is true."""
+        """Emit `danger` with buttons. While `lasts()` is true, only another danger replaces it."""
         self.danger.emit(text)
         self.remedies_offered.emit(remedies)
         self.danger_lasts = lasts

@@ -138,7 +138,7 @@ class Program:
         """Shut down and destroy everything. Requires a running event loop.
 
         Return whether all threads have ended. Otherwise nothing is destroyed, and the process
-        must end with `os._exit`.
+        must exit with `os._exit`.
         """
         if not self.shut_down():
             return False

@@ -19,7 +19,7 @@ _SIZE = QSize(1440, 800)  # fits a page beside the panel of the simulated device
 _SETTLE_MS = 2500
 _STEP_MS = 200
 _STOP_MS = 100  # time to send the stop
-_TIMEOUT_MS = 30_000  # enough for slow computers; a stop is confirmed only on a quiet line
+_TIMEOUT_MS = 30_000  # computers may be slow, and a stop is confirmed only on a quiet line
 
 TourStep = Callable[[], object]  # step of the tour; repeated while it returns `False`
 
@@ -27,7 +27,7 @@ TourStep = Callable[[], object]  # step of the tour; repeated while it returns `
 class Tour(QObject):
     """Tour of all simulated devices that writes PNG files. The plugins define its steps."""
 
-    finished = Signal(bool)  # True if all pictures were written, false if a step failed
+    finished = Signal(bool)  # True if all pictures were written, False if a step failed
 
     def __init__(
         self,
@@ -89,8 +89,8 @@ class Tour(QObject):
             yield partial(theme().set_scheme, scheme)
             device = self._program.device_manager.current
             workspace = self._program.workspace(device.plugin.key)
-            for index in range(workspace.count):
-                yield partial(workspace.show_number, index)
+            for index in range(workspace.page_count):
+                yield partial(workspace.show_page_at, index)
                 page = workspace.page_at(index)
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
                 yield partial(self.write, window, f"{name}{state}", scheme)

@@ -14,14 +14,14 @@ from trex_gui.ui.preferences import Preferences
 CONTEXT = "trex_gui"  # the only context, so that a text has one translation everywhere
 ENGLISH = QLocale(QLocale.Language.English)
 LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
-AS_THE_SYSTEM = "system"
+SYSTEM_LANGUAGE = "system"
 _KEY = "window/language"
 
 
 def selected_language() -> str:
-    """Return a key of `LANGUAGES`, or `AS_THE_SYSTEM`."""
-    code = Preferences().text(_KEY, AS_THE_SYSTEM)
-    return code if code in LANGUAGES else AS_THE_SYSTEM
+    """Return a key of `LANGUAGES`, or `SYSTEM_LANGUAGE`."""
+    code = Preferences().text(_KEY, SYSTEM_LANGUAGE)
+    return code if code in LANGUAGES else SYSTEM_LANGUAGE
 
 
 def select_language(code: str) -> None:
@@ -35,7 +35,7 @@ def selected_locale() -> QLocale:
     If the system uses that language, return the system's locale, which also names the country.
     """
     system, code = QLocale.system(), selected_language()
-    is_system = code in {AS_THE_SYSTEM, system.name().partition("_")[0]}
+    is_system = code in {SYSTEM_LANGUAGE, system.name().partition("_")[0]}
     return system if is_system else QLocale(code)
 
 

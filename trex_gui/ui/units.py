@@ -10,7 +10,7 @@ _KEY = "units/own_first"
 
 
 class Units(QObject):
-    """Setting for the whole program. `units()` returns its only instance."""
+    """Setting for the whole program. `units()` returns the only instance."""
 
     changed = Signal()
 

@@ -10,7 +10,7 @@ from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices import auto_connect
-from trex_gui.ui.devices.auto_connect import set_automatic
+from trex_gui.ui.devices.auto_connect import set_connects_automatically
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Remedy
 
@@ -147,11 +147,11 @@ def test_unsuitable_ports_are_not_opened(
 
 
 def test_user_choice_or_problem_prevents_connection(harness: ConnectionHarness) -> None:
-    set_automatic(False)
+    set_connects_automatically(False)
     harness.start()
     assert harness.url == "", "automatic connection is switched off"
 
-    set_automatic(True)
+    set_connects_automatically(True)
     harness.plug()
     harness.window.device.notifier.report("Something is wrong.", (Remedy.FIND,))
     harness.plug(harness.adapters[0])

@@ -159,7 +159,7 @@ def test_drawn_points_are_limited_in_a_long_history(plot: TracePlot) -> None:
         long.add(1250)  # a million samples in total
     plot.set_source(long)
     for length in (10, 60, 600, 3600, 12_500):
-        plot.set_window(length)
+        plot.select_length(length)
         for name in plot.shown:
             assert 0 < len(plot._shapes[name][0].item.getData()[0]) <= 1100, length
 

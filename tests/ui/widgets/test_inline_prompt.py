@@ -48,7 +48,7 @@ def test_cancel_runs_only_the_action_for_no_answer(
     question.prompt(
         "Sure?",
         Answer("yes", "Yes", lambda: done.append("yes")),
-        otherwise=lambda: done.append("otherwise"),
+        on_withdrawn=lambda: done.append("otherwise"),
     )
     if key is None:
         driver.click("questionCancel")
@@ -63,7 +63,7 @@ def test_new_question_cancels_the_previous_one(
 ) -> None:
     done: list[str] = []
     question.prompt(
-        "A?", Answer("a", "A", lambda: done.append("a")), otherwise=lambda: done.append("no")
+        "A?", Answer("a", "A", lambda: done.append("a")), on_withdrawn=lambda: done.append("no")
     )
     question.prompt("B?", Answer("b", "B", lambda: done.append("b")))
     assert question.text == "B?"
@@ -77,7 +77,7 @@ def test_outdated_answer_is_not_run(question: InlinePrompt, driver: WidgetDriver
     done: list[str] = []
     is_valid = True
     yes = Answer("yes", "Yes", lambda: done.append("yes"))
-    question.prompt("Sure?", yes, still=lambda: is_valid)
+    question.prompt("Sure?", yes, is_valid=lambda: is_valid)
     question.reconsider()
     assert question.isVisible()
     is_valid = False

@@ -10,7 +10,7 @@ from trex_gui.core.transport.linux_ports import holder_of
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
-from trex_gui.ui.devices.scanner import DeviceScanner, ScanFinding
+from trex_gui.ui.devices.scanner import ScanFinding
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier, Remedies, Remedy
 from trex_gui.ui.preferences import Preferences
@@ -27,7 +27,7 @@ def connects_automatically() -> bool:
     return Preferences().flag(_KEY, default=True)
 
 
-def set_automatic(enabled: bool) -> None:
+def set_connects_automatically(enabled: bool) -> None:
     Preferences().set(_KEY, enabled)
 
 
@@ -55,14 +55,14 @@ class AutoConnect(QObject):
         self._ports = ports
         self._manager = manager
         self._notifier = notifier
-        self._scanner: DeviceScanner = manager.scanner
+        self._scanner = manager.scanner
         self._present: Sequence[Port] = ()  # ports at the last check
-        self._batches: deque[list[Port]] = deque()  # groups of ports that will be probed
+        self._batches: deque[list[Port]] = deque()  # groups of ports to probe
         self._is_probing = False
         self._tried: Port | None = None  # port of the last connection attempt
         self._missing: Port | None = None  # connect to this port when it is plugged in
         self._may_be_stale = False  # the system may still list the missing port
-        self._notice = ""  # message for the next connection
+        self._notice = ""  # message to show after the next connection
         self._timer = new_timer(self, _SETTLE_MS, self._on_settled, single_shot=True)
 
     def start(self, *, at_once: bool = True) -> None:
@@ -108,10 +108,8 @@ class AutoConnect(QObject):
         missing = self._missing
         if missing is None:
             return None
-        if missing.adapter is None:
-            found = self._ports.find(missing.url)
-        else:
-            found = self._ports.now(missing)
+        ports = self._ports
+        found = ports.current_entry(missing) if missing.adapter else ports.find(missing.url)
         # A typed address is always listed, so it cannot return.
         return found if found is not None and found.kind is PortKind.SERIAL else None
 
@@ -155,15 +153,13 @@ class AutoConnect(QObject):
 
     def _start_probing(self, *batches: list[Port]) -> None:
         if not self._is_probing:
-            self._batches = deque(batches)
+            self._batches = deque(filter(None, batches))
             self._probe_next()
 
     def _probe_next(self) -> None:
-        ports = self._batches.popleft() if self._batches else []
-        if not ports:
-            if self._batches:
-                self._probe_next()
+        if not self._batches:
             return
+        ports = self._batches.popleft()
         in_background(
             self,
             lambda: [port for port in ports if holder_of(port.url) is None],

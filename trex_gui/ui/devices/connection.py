@@ -36,10 +36,10 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     """
 
     changed = Signal()  # `link` or `status` has changed
-    # `Closed`, or `None` if the program ends and the session does not end in time. The data of
+    # `Closed`, or `None` if the session does not end in time when the program exits. The data of
     # the device is no longer valid.
     line_closed = Signal(object)
-    interfered = Signal(str, object)  # sentence about another program at the port, `Remedies`
+    interfered = Signal(str, object)  # sentence about another user of the port, `Remedies`
     failed = Signal(object)  # the `StudioError` that closed the line
 
     def __init__(self, decoder: Decoder, parent: QObject | None = None) -> None:

@@ -69,7 +69,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         # Settings of the next connection, without a port address.
         self.settings = self._demo_settings = default
         self.port: Port | None = None  # port that is connected or being connected
-        self._chosen: Port | None = None
+        self._selected: Port | None = None
         self.starting = False  # the simulator is starting; the connection follows
         # True from the connection to the simulated device until the user disconnects. A broken
         # line does not reset it, because the user repairs the line in the demo panel.
@@ -97,13 +97,13 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     def select(self, port: Port) -> None:
         """Select a port. If the port is new, use the settings of the device found there."""
-        if self._chosen is None or not self._chosen.is_same(port):
-            self._chosen = port
+        if self._selected is None or not self._selected.is_same(port):
+            self._selected = port
             if port.settings:
                 self.set_packed(port.settings)
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port. Before that, close an open line and end a scan of the port."""
+        """Connect to a port after closing an open line and ending a scan of the port."""
         self.select(port)
         if self._scanner.is_searching(port):
             self._after_scan = port

@@ -39,7 +39,7 @@ class Columns:
 
     name: str = ""
     value: str = ""
-    ticks: tuple[str, ...] = ()
+    ticks: tuple[str, ...] = ()  # columns of check boxes
 
 
 class Rows(ui.Card, Generic[SnapshotT]):
@@ -105,7 +105,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
     def add_note(
         self, name: str, lines: int, read: Callable[[SnapshotT], tuple[str, bool]]
     ) -> None:
-        """Add a note across all columns. `read` returns its text, and True if it is an alarm."""
+        """Add a note across all columns. `read` returns its text, and True for an alarm."""
         note = ui.named(Note(lines, self), name)
 
         def update(snapshot: SnapshotT) -> None:
@@ -167,7 +167,8 @@ def add_cable(
 
     `prefix`: prefix of object names. `mute`, `noise`: tool tips. `faults`: texts in the fault
     list, with values for `cause`. `choice`, `once`: object name, text and tool tip of the fault
-    list and of its button. `before`: widgets on the left, with their stretch.
+    list, and of the button that causes the selected fault. `before`: widgets on the left, with
+    their stretch.
     """
     mute_box = rows.check_box(
         f"{prefix}Mute",
@@ -213,7 +214,7 @@ class DemoDock(QDockWidget):
         self,
         name: str,
         key: str,
-        use: DeviceController[Any],
+        controller: DeviceController[Any],
         create: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
@@ -222,24 +223,24 @@ class DemoDock(QDockWidget):
         self.setObjectName(name)
         self._key = key
         self._create = create
-        self._use = use
+        self._controller = controller
         self._store = Preferences()
-        # Widths of the window after and before the dock widened it.
-        self._width = self._width_before = 0
+        # Widths of the window after and before the dock widened the window.
+        self._widened_width = self._original_width = 0
         # True if the dock is visible whenever the device is in use.
         self.wanted = self._store.flag(key, default=True)
         # Queued, because Qt sets its own icons after it emits the signal.
         self.visibilityChanged.connect(self._show_icons, Qt.ConnectionType.QueuedConnection)
-        use.changed.connect(self.show_if_wanted)
+        controller.changed.connect(self.show_if_wanted)
         self.hide()
 
     @Slot()
     def _show_icons(self) -> None:
-        """Replace the icons. The style sets them again whenever the dock is detached or docked."""
-        for name, sign in (("floatbutton", "float"), ("closebutton", "clear")):
+        """Replace the style's icons, which reappear whenever the dock is detached or docked."""
+        for name, icon in (("floatbutton", "float"), ("closebutton", "clear")):
             button = self.findChild(QAbstractButton, f"qt_dockwidget_{name}")
             if button is not None:
-                set_icon(button, sign)
+                set_icon(button, icon)
 
     def set_wanted(self, wanted: bool) -> None:
         if wanted != self.wanted:
@@ -254,10 +255,10 @@ class DemoDock(QDockWidget):
 
     @Slot()
     def show_if_wanted(self) -> None:
-        is_shown = self.wanted and self._use.demo_in_use
+        is_shown = self.wanted and self._controller.demo_in_use
         if is_shown and self.isHidden():
             if self.widget() is None:
-                # The content scrolls, because pages need the space on small screens.
+                # The content scrolls, because the pages need the space on small screens.
                 self.setWidget(ScrollBox(self._create, self, sideways=True))
             self._widen_window()
             self.show()
@@ -268,24 +269,24 @@ class DemoDock(QDockWidget):
         """Hide the dock. Restore the window's width if the user has not changed it."""
         window = self.parentWidget()
         unchanged = window is not None and window.width() in {
-            self._width,
+            self._widened_width,
             window.minimumSizeHint().width(),
         }
         self.hide()
-        if window is not None and unchanged and self._width_before:
+        if window is not None and unchanged and self._original_width:
             if layout := window.layout():
                 layout.activate()
-            window.resize(self._width_before, window.height())
-        self._width_before = 0
+            window.resize(self._original_width, window.height())
+        self._original_width = 0
 
     def _widen_window(self) -> None:
         window = self.parentWidget()
         if window is None or self.isFloating() or not window.isVisible() or window.isMaximized():
             return
         free = window.screen().availableGeometry().right() - window.frameGeometry().right()
-        self._width_before = window.width()
-        self._width = window.width() + max(min(self.sizeHint().width(), free), 0)
-        window.resize(self._width, window.height())
+        self._original_width = window.width()
+        self._widened_width = window.width() + max(min(self.sizeHint().width(), free), 0)
+        window.resize(self._widened_width, window.height())
 
     def closeEvent(self, event: QCloseEvent) -> None:
         super().closeEvent(event)
@@ -298,7 +299,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
     def __init__(
         self,
         device: DemoDevice[SnapshotT],
-        use: DeviceController[Any],
+        controller: DeviceController[Any],
         state_name: str,
         state_text: Callable[[SnapshotT], str],
         parent: QWidget | None = None,
@@ -306,7 +307,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         """`state_name`: object name of the note that shows the state."""
         super().__init__(parent)
         self._device = device
-        self._use = use
+        self._controller = controller
         self._state_text = state_text
         self._groups: Sequence[Rows[SnapshotT]] = ()
         self._reset: QPushButton | None = None
@@ -322,10 +323,10 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         ui.column(*header, self._state, *groups, right, 1, into=self, margins=3, spacing=6)
         ui.tab_order(*(control for group in groups for control in group.controls), reset)
         self._device.changed.connect(self.refresh)
-        self._use.changed.connect(self.refresh)
+        self._controller.changed.connect(self.refresh)
         self.refresh()
 
-    def show_head(self, snapshot: SnapshotT | None) -> None:
+    def show_header(self, snapshot: SnapshotT | None) -> None:
         """Update the header. `None`: the simulator is not running."""
         raise NotImplementedError
 
@@ -348,13 +349,13 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         for widget in (*self._groups, self._reset):
             if widget is not None:
                 widget.setEnabled(snapshot is not None)
-        self.show_head(snapshot)
+        self.show_header(snapshot)
         if snapshot is None:
-            starting = self._use.starting or self._use.port is not None
+            starting = self._controller.starting or self._controller.port is not None
             text = tr("The Demo {0} is not running. Press Connect.")
             if starting:
                 text = tr("The Demo {0} is starting …")
-            self._state.show_note(text.format(self._use.plugin.name), alarming=not starting)
+            self._state.show_note(text.format(self._controller.plugin.name), alarming=not starting)
             return
         todo = self._todo(snapshot)
         self._state.show_note(todo or self._state_text(snapshot), alarming=bool(todo))
@@ -364,7 +365,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
     def _todo(self, snapshot: SnapshotT) -> str:
         if not snapshot.line.plugged:
             return tr("The cable is unplugged. Plug it in, then press Connect.")
-        if self._use.demo_in_use and self._use.port is None:
+        if self._controller.demo_in_use and self._controller.port is None:
             if not snapshot.power:
                 return tr("The power is off. Switch it on, then press Connect.")
             return tr("The cable is plugged in again. Press Connect.")

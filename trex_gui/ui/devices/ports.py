@@ -40,7 +40,7 @@ class Port:
     settings: str = field(default="", compare=False)  # packed settings of the device found there
 
     def is_same(self, other: "Port") -> bool:
-        """Return whether both entries are the same port. The name or the device may differ."""
+        """Return whether both entries refer to one port. Their names or devices may differ."""
         if self.adapter is not None and other.adapter is not None:
             return self.adapter.is_same(other.adapter)
         if PortKind.DEMO in {self.kind, other.kind}:
@@ -53,8 +53,8 @@ class Ports(QObject):
 
     Order: serial ports of this computer, typed addresses, boards served over the network, and a
     simulated device of each kind. The user types the addresses of pseudo-terminals and network
-    ports, because systems do not list them. By default, a port is assigned to the first kind of
-    device. If a kind was found or selected, it is saved with the adapter and the settings.
+    ports, because operating systems do not list them. By default, a port is assigned to the first
+    kind of device. A kind that was found or selected is saved with the adapter and the settings.
     """
 
     changed = Signal()  # `entries` has changed
@@ -91,13 +91,13 @@ class Ports(QObject):
     def last_used(self) -> Port | None:
         """Port at which a device was last found. `None` if it is not listed."""
         newest = next((known for known in reversed(self._known) if known.settings), None)
-        return self.now(newest) if newest is not None else None
+        return self.current_entry(newest) if newest is not None else None
 
-    def now(self, port: Port) -> Port | None:
+    def current_entry(self, port: Port) -> Port | None:
         """Return the current entry of a port, or `None` if the port is missing.
 
         The port may have another name now. If several adapters share a serial number, return the
-        entry of the adapter in the old USB socket.
+        entry of the adapter in the same USB socket as before.
         """
         entries = [entry for entry in self.entries if entry.is_same(port)]
         if len(entries) > 1:
@@ -153,12 +153,13 @@ class Ports(QObject):
         known = replace(port, device=device, settings=settings)
         is_new = bool(settings) or device != port.device
         if port.kind is PortKind.DEMO or not is_new or self._lines[-1:] == [_line(known)]:
-            return self.now(port) or port
+            return self.current_entry(port) or port
         others = [other for other in self._known if not other.is_same(port)]
         self._known = [*others, known][-_MAX_KNOWN:]
         self._store.set(_KNOWN, "\n".join(self._lines))
         self.refresh()
-        return self.now(port) or self._entry(port.kind, port.url, port.url, port.adapter)
+        entry = self.current_entry(port)
+        return entry or self._entry(port.kind, port.url, port.url, port.adapter)
 
     @property
     def _lines(self) -> list[str]:

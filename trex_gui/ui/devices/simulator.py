@@ -35,7 +35,7 @@ class Simulator(QObject):
         super().__init__(parent)
         self._arguments = plugin.simulator_arguments
         self.label = tr("the Demo {0}").format(plugin.name)
-        self.url = ""  # empty without a process; changes whenever the cable is plugged in
+        self.url = ""  # empty without a process; new whenever the cable is plugged in
         self.plugged = True  # state of the simulated cable
         self._ending = False
         self._reply_handlers: deque[Callable[[str], None] | None] = deque()
@@ -155,11 +155,11 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         simulator.ready.connect(self._poll)  # polls once even if no panel watches
         simulator.ended.connect(self._on_simulator_ended)
 
-    def watch(self, watched: bool) -> None:
-        if watched and not self._timer.isActive():
+    def watch(self, enabled: bool) -> None:
+        if enabled and not self._timer.isActive():
             self._timer.start()
             self._poll()
-        elif not watched:
+        elif not enabled:
             self._timer.stop()
 
     def set_power(self, on: bool) -> None:
@@ -189,7 +189,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._simulator.send(line, on_reply)
 
     def _send_newest(self, key: str, line: str) -> None:
-        """Send a control line once the previous line with this key has a reply."""
+        """Send a control line once the previous line with this key has been answered."""
 
         def send_waiting() -> None:
             self._in_flight.discard(key)

@@ -1,7 +1,7 @@
 """Undo commands for edits. Only these commands change pending values.
 
-A change that the device reports is not an edit. A command stores the previous value. Therefore
-undoing an applied edit makes the old value a new edit.
+A change that the device reports is not an edit. A command stores the previous value. Therefore,
+undoing an applied edit makes the previous value a new edit.
 """
 
 from collections.abc import Callable
@@ -14,7 +14,6 @@ from trex_gui.ui.widgets.builders import no_mnemonic
 
 KeyT = TypeVar("KeyT")
 ValueT = TypeVar("ValueT")
-
 
 _RUN_ID = 1  # Qt may merge commands with equal ids, but never with the id -1
 
@@ -63,7 +62,7 @@ class Edit(QUndoCommand, Generic[KeyT, ValueT]):
         return -1 if self.run is None else _RUN_ID
 
     def mergeWith(self, other: QUndoCommand) -> bool:
-        """Merge the next edit of the run. If it restores the first value, remove the step."""
+        """Merge the next edit of the run. If the edit restores the first value, remove the step."""
         if not isinstance(other, Edit) or (other.run, other.key) != (self.run, self.key):
             return False
         self.after = other.after

@@ -21,7 +21,7 @@ from trex_gui.ui.widgets.painted import Painted, Painter
 from trex_gui.ui.widgets.view import View
 
 _MINUTE, _SLOT = 60.0, 0.5  # seconds: time span of the plot, time span of a point
-_MAX_LATENESS = 5.0  # seconds; after this delay, the log contains a request and its reply
+_MAX_LATENESS = 5.0  # seconds after which a request and its reply are in the log
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,7 @@ class Problem:
     text: str  # meaning and remedy, for the user
     times: str  # count and time of the last occurrence, for the user
     is_active: bool = False
-    is_cleared: bool = False  # True if the user has cleared it since the last occurrence
+    is_cleared: bool = False  # True if the user has cleared the problem since it last occurred
     page: str = ""  # key of a page with details; empty if there is none
     topic: str = ""  # help topic; empty if there is none
     name: str = ""  # text of the problem in the traffic log
@@ -115,9 +115,9 @@ class ConnectionCard(ui.Card):
         self._name = name
         self._labels: list[tuple[QLabel, LiveLabel]] = []
         self._grid: QGridLayout = ui.grid(margins=0, spacing=(16, 0))
-        self._line = RoundTrips(traffic, self)
+        self._plot = RoundTrips(traffic, self)
         self._caption = ui.label(self, f"{name}RoundTrip", size="caption")
-        ui.column(self._grid, (self._line, 1), self._caption, into=self, spacing=8)
+        ui.column(self._grid, (self._plot, 1), self._caption, into=self, spacing=8)
 
     def show_readings(self, readings: Sequence[Reading]) -> None:
         for column in range(len(self._labels), len(readings)):
@@ -135,10 +135,10 @@ class ConnectionCard(ui.Card):
             set_text_color(value, "warning" if reading.is_bad else "window_text")
             for label in (caption, value):
                 label.setToolTip(ui.plain(reading.details))
-        self._line.refresh()
+        self._plot.refresh()
         text = tr("Round trips of the last minute: up to {0:.0f} ms")
-        self._caption.setText(text.format(1000 * self._line.longest))
-        self._caption.setVisible(self._line.longest > 0)
+        self._caption.setText(text.format(1000 * self._plot.longest))
+        self._caption.setVisible(self._plot.longest > 0)
 
 
 class RoundTrips(Painted):
@@ -163,7 +163,7 @@ class RoundTrips(Painted):
         return QSize(0, 3 * self.fontMetrics().height())
 
     def refresh(self) -> None:
-        """Add new requests, and earlier requests whose reply has arrived since."""
+        """Add new requests, and earlier requests whose replies have arrived since then."""
         since, self._refreshed = self._refreshed - _MAX_LATENESS, now()
         self._oldest = int(self._refreshed / _SLOT) - round(_MINUTE / _SLOT) + 1
         self._seconds = {

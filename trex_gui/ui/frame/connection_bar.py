@@ -35,7 +35,7 @@ _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 # Widths in average characters
 _PORT, _MIN_PORT = 18, 10
-_STATE, _MIN_STATE = 26, 6  # if less than 26 is free, the baud rate and the quality are hidden
+_STATE, _MIN_STATE = 26, 6  # if fewer than 26 are free, baud rate and quality are hidden
 _QUALITY, _CONNECT, _MAX_BAR = 11, 14, 116
 
 
@@ -77,7 +77,7 @@ class ConnectionBar(QFrame):
         self._ports = ports
         self._dialog: FindDialog | None = None
         self._connected: Port | None = None
-        self._chosen: Port | None = None
+        self._selected: Port | None = None
         self._last: Port | None = None  # port of the last connection attempt
         self._none_selected = False
         self._interim_focus: QWidget | None = None  # focused widget while the button is disabled
@@ -211,13 +211,13 @@ class ConnectionBar(QFrame):
                     "pending."
                 ),
                 Answer("disconnectYes", title_of(tr("&Disconnect")), then),
-                still=lambda: self._manager.current.is_busy,
+                is_valid=lambda: self._manager.current.is_busy,
             )
         else:
             then()
 
     def connect_shown(self) -> None:
-        """Connect to the port shown in the list. If it shows no port, open the list."""
+        """Connect to the port that the list shows. If the list shows no port, open it."""
         if not self.would_connect:
             return
         shown = self._combo.currentData()
@@ -233,7 +233,7 @@ class ConnectionBar(QFrame):
 
     def reconnect(self) -> None:
         if self._last is not None:
-            self.connect_to(self._ports.now(self._last) or self._last)
+            self.connect_to(self._ports.current_entry(self._last) or self._last)
 
     def connect_with(self, remedy: ConnectWith) -> None:
         """Connect to the shown port with other settings. If there is no port, open the list."""
@@ -251,7 +251,7 @@ class ConnectionBar(QFrame):
     @Slot()
     def find_board(self, *, at_once: bool = False) -> None:
         """Open the search dialog. `at_once`: search the shown port immediately."""
-        from trex_gui.ui.frame.find_dialog import FindDialog  # noqa: PLC0415 - not needed at first
+        from trex_gui.ui.frame.find_dialog import FindDialog  # noqa: PLC0415 - not needed at startup
 
         if self._dialog is None:
             self._dialog = FindDialog(self._manager, self._ports, self._unless_busy, self.window())
@@ -275,7 +275,7 @@ class ConnectionBar(QFrame):
             self._select(None)
 
     def _select(self, port: Port | None) -> None:
-        self._chosen, self._none_selected = port, port is None
+        self._selected, self._none_selected = port, port is None
         self._on_ports_changed()
         self.choice_changed.emit()
 
@@ -297,7 +297,7 @@ class ConnectionBar(QFrame):
         """Connect to a port. If settings are being written, ask the user first."""
 
         def connect() -> None:
-            self._chosen, self._none_selected = port, False
+            self._selected, self._none_selected = port, False
             self.connecting.emit()
             self._manager.connect_to(port)
 
@@ -321,12 +321,12 @@ class ConnectionBar(QFrame):
         self._show_button()
 
     def _port_to_show(self) -> Port | None:
-        chosen = self._chosen
-        if chosen is None:
+        selected = self._selected
+        if selected is None:
             return None if self._none_selected else self._ports.preferred
-        if chosen == self._manager.current.port:
-            return chosen
-        return self._ports.now(chosen)
+        if selected == self._manager.current.port:
+            return selected
+        return self._ports.current_entry(selected)
 
     @Slot()
     def _on_link_changed(self) -> None:
@@ -336,7 +336,7 @@ class ConnectionBar(QFrame):
         if device.port != self._connected:
             self._connected = device.port
             if device.port is not None:
-                self._chosen, self._none_selected = device.port, False
+                self._selected, self._none_selected = device.port, False
                 self._last = device.port
             self._on_ports_changed()
         self._line.setText(device.line_text)

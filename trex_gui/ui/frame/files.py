@@ -58,7 +58,7 @@ class RecentFiles(QObject):
 
 
 class FileOpener(QObject):
-    """Opens files in their workspaces. Adds all workspaces if no workspace can open a file."""
+    """Opens files in their workspaces. If none can open a file, adds all workspaces first."""
 
     def __init__(
         self,
@@ -107,7 +107,7 @@ class FileOpener(QObject):
 
     @property
     def _kinds(self) -> list[tuple[str, FileKind]]:
-        return [(space.key, kind) for space in self._workspaces() for kind in space.file_kinds]
+        return [(item.key, kind) for item in self._workspaces() for kind in item.file_kinds]
 
     def _open_in(self, key: str, then: Callable[[], object], name: str, kind: str) -> None:
         if not self._manager.switch_to(key, then):
@@ -121,7 +121,7 @@ class FileOpener(QObject):
     def open_recent(self, file: RecentFile) -> None:
         """Open a recent file. If the file no longer exists, remove it from the list."""
 
-        def then(exists: bool) -> None:
+        def on_checked(exists: bool) -> None:
             if exists:
                 self._open_again(file)
                 return
@@ -129,7 +129,7 @@ class FileOpener(QObject):
             text = tr("{0} no longer exists and was removed from the recent files.")
             self._notifier.error.emit(text.format(file.path))
 
-        in_background(self, file.path.is_file, then, lambda _: None)
+        in_background(self, file.path.is_file, on_checked, lambda _: None)
 
     def _open_again(self, file: RecentFile) -> None:
         if all(file.device != workspace.key for workspace in self._workspaces()):

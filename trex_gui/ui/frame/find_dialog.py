@@ -222,7 +222,7 @@ class FindDialog(ReusedDialog):
 
     @Slot()
     def _on_finished(self) -> None:
-        """Save the device found at each port. If several boards share a line, save none of them."""
+        """Save the device found at each port. If boards share a line, save none of them."""
         boards = [finding for finding in self._scanner.findings if finding.found is not None]
         ports = [finding.port for finding in boards]
         for board in boards:

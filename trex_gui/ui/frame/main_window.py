@@ -27,7 +27,7 @@ from trex_gui.ui.frame.workspace import (
     fill_menu_bar,
     menu_findables,
 )
-from trex_gui.ui.help.messages import topic_in_front
+from trex_gui.ui.help.messages import focused_topic
 from trex_gui.ui.help.pages import INDEX, help_findables
 from trex_gui.ui.help.search import Findable
 from trex_gui.ui.last_run import stop_running_boards
@@ -59,7 +59,7 @@ def last_device() -> str:
 
 
 class MainWindow(QMainWindow):
-    seen_changed = Signal(bool)  # True if a window of the program is neither hidden nor minimized
+    visibility_changed = Signal(bool)  # True if a window of the program is visible
 
     def __init__(
         self,
@@ -137,7 +137,7 @@ class MainWindow(QMainWindow):
             replaced.deleteLater()
         self.menuBar().clear()
         self._actions = fill_menu_bar(
-            self, self._menus([space.menus() for space in self._workspaces])
+            self, self._menus([workspace.menus() for workspace in self._workspaces])
         )
         menus = (action.menu() for action in self.menuBar().actions())
         self._current_menus = [menu for menu in menus if isinstance(menu, QMenu)]
@@ -295,7 +295,7 @@ class MainWindow(QMainWindow):
                 self.connection.reconnect()
             case Remedy.CHECK_BOARD:
                 self._workspace.trigger("check_board")
-            case Remedy.STOP_THEM:
+            case Remedy.STOP_MOTORS:
                 stop_running_boards(self._notifier)
             case Remedy.REPORT:
                 self._show_report()
@@ -311,15 +311,16 @@ class MainWindow(QMainWindow):
         dialog.open_preferences()
 
     def _show_help(self) -> None:
-        device_topics = (item for space in self._workspaces for item in space.help_topics.items())
-        topics = HELP_TOPICS | dict(device_topics)
+        topics = dict(HELP_TOPICS)
+        for workspace in self._workspaces:
+            topics |= workspace.help_topics
         page = self._workspace.page_at(self._workspace.current)
-        self.show_help(topic_in_front(topics, page))
+        self.show_help(focused_topic(topics, page))
 
     @Slot(str)
     def show_help(self, topic: str) -> None:
         """Show a help page or a section (`page.md#anchor`) beside the window."""
-        from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not needed at first
+        from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not needed at startup
 
         if self.help_dialog is None:
             self.help_dialog = HelpDialog()
@@ -328,7 +329,7 @@ class MainWindow(QMainWindow):
     def findables(self) -> Iterator[Findable]:
         yield from self._workspace.findables()
         pages = {entry.key for entry in entries_of({"": self._workspace.page_entries()})}
-        yield from menu_findables(self, pages, self._workspace.moving)
+        yield from menu_findables(self, pages, self._workspace.motion_keys)
         yield from help_findables(self._workspace.message_help.headings(), self.show_help)
 
     def _topic_of(self, message: str) -> str:
@@ -348,9 +349,9 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _on_visibility_changed(self) -> None:
-        unseen = {QWindow.Visibility.Hidden, QWindow.Visibility.Minimized}
+        hidden = {QWindow.Visibility.Hidden, QWindow.Visibility.Minimized}
         windows = QGuiApplication.topLevelWindows()
-        self.seen_changed.emit(any(window.visibility() not in unseen for window in windows))
+        self.visibility_changed.emit(any(window.visibility() not in hidden for window in windows))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self._manager.is_armed:  # stop before asking the user anything

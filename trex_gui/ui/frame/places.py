@@ -48,7 +48,7 @@ class PlaceBar(QTabBar):
             self.update()
 
     def _update_name(self, index: int) -> None:
-        name = counted(self.tabText(index), self._counts.get(index, 0))
+        name = title_with_count(self.tabText(index), self._counts.get(index, 0))
         self.setAccessibleTabName(index, name)
         self.setTabToolTip(index, name if self.is_narrow else "")
 
@@ -128,7 +128,7 @@ class PlaceBar(QTabBar):
         painter.drawText(badge, Qt.AlignmentFlag.AlignCenter, text)
 
 
-def counted(title: str, count: int) -> str:
+def title_with_count(title: str, count: int) -> str:
     """Return a title with its count, such as `Problems (2)`."""
     return f"{title} ({count})" if count else title
 
@@ -170,7 +170,7 @@ class Place(QWidget):
         self.title = title
 
     def add_tabs(self, *above: QWidget) -> None:
-        """Add the tabs below the widgets `above`. The Tab key visits the widgets first."""
+        """Add the tabs below the widgets `above`, which the Tab key visits first."""
         name = self.objectName().replace("Page", "Tabs")
         self.tabs = named(QTabWidget(self), name, accessible=self.title)
         self.tabs.setDocumentMode(True)

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFormLayout, QWidget
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
-from trex_gui.ui.devices.auto_connect import connects_automatically, set_automatic
+from trex_gui.ui.devices.auto_connect import connects_automatically, set_connects_automatically
 from trex_gui.ui.theme.theme import (
     FONT_SIZES,
     SCHEMES,
@@ -16,7 +16,7 @@ from trex_gui.ui.theme.theme import (
     select_scheme,
     theme,
 )
-from trex_gui.ui.translations import AS_THE_SYSTEM, LANGUAGES, select_language, selected_language
+from trex_gui.ui.translations import LANGUAGES, SYSTEM_LANGUAGE, select_language, selected_language
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -69,7 +69,7 @@ class PreferencesDialog(ReusedDialog):
         self._language = add_box(
             "languageBox",
             tr("&Language:"),
-            [(tr("As the system"), AS_THE_SYSTEM), *languages],
+            [(tr("As the system"), SYSTEM_LANGUAGE), *languages],
             lambda _: select_language(self._language.currentData()),
             tr("Takes effect when the program starts again"),
         )
@@ -84,7 +84,7 @@ class PreferencesDialog(ReusedDialog):
             self,
             "automaticBox",
             tr("Connect to known boards automat&ically"),
-            on_click=set_automatic,
+            on_click=set_connects_automatically,
         )
         explanation = Muted(
             tr(

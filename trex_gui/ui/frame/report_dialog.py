@@ -66,7 +66,7 @@ class ReportDialog(ReusedDialog):
         )
         follow_theme(self, "font", lambda: self._text.setFont(fixed_font()))
         self._list.currentItemChanged.connect(self._show_current)
-        self._list.itemChanged.connect(self._enable)
+        self._list.itemChanged.connect(self._update_button)
 
     def open_report(self, parts: Mapping[str, Callable[[], str]]) -> None:
         """Collect the files in another thread.
@@ -75,7 +75,7 @@ class ReportDialog(ReusedDialog):
         """
         self._list.clear()
         self._text.clear()
-        self._enable()
+        self._update_button()
         self.show_in_front()
         in_background(self, partial(create_report, parts), self._show, self._notifier.report_error)
 
@@ -91,7 +91,7 @@ class ReportDialog(ReusedDialog):
         padding = 2 * (self._list.frameWidth() + _ROW_PADDING)
         self._list.setMinimumWidth(self._list.sizeHintForColumn(0) + padding)
         self._list.setCurrentRow(0)
-        self._enable()
+        self._update_button()
         self._save.setFocus()
 
     @property
@@ -102,7 +102,7 @@ class ReportDialog(ReusedDialog):
         )
 
     @Slot()
-    def _enable(self) -> None:
+    def _update_button(self) -> None:
         self._save.setEnabled(bool(self._selected))
 
     @Slot()

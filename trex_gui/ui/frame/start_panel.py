@@ -24,9 +24,11 @@ _MAX_PORTS = 4
 
 @dataclass(frozen=True, slots=True)
 class StartWay:
+    """One way to connect a board."""
+
     wiring: Wires
     note: str
-    name: str = ""  # button text with a free mnemonic; needed if there are several ways
+    name: str = ""  # button text with a free mnemonic; required with more than one way
     danger: str = ""
 
 

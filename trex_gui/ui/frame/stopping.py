@@ -11,7 +11,7 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import InlinePrompt
 
-_LOG_OUT_S = 60.0  # seconds in which a log-out counts as the reason for closing the window
+_LOG_OUT_S = 60.0  # seconds for which a log-out counts as the reason for closing the window
 
 
 def stop_or_close_dialog(device_manager: DeviceManager) -> None:
@@ -81,7 +81,7 @@ class UnconfirmedStopWarning(QObject):
     """Warns about an unconfirmed stop when the user closes the window.
 
     The warning does not block, so other events can still end the program. The window closes once
-    the stop is confirmed or the user closes it again. At a log-out, no warning is shown.
+    the stop is confirmed or the user closes it again. At a log-out, it is not shown.
     """
 
     def __init__(
@@ -115,8 +115,8 @@ class UnconfirmedStopWarning(QObject):
         self._question.prompt(
             text,
             Answer("closeUnstopped", tr("Close the window"), self._window.close),
-            still=lambda: self._manager.unconfirmed_stop == text,
-            otherwise=self._on_withdrawn,
+            is_valid=lambda: self._manager.unconfirmed_stop == text,
+            on_withdrawn=self._on_withdrawn,
         )
 
     def _on_withdrawn(self) -> None:

@@ -22,7 +22,7 @@ from trex_gui.ui.widgets.painted import Painted, Painter
 
 _COLORS = ("window_text", "accent", "outline")  # theme colours of the wires from top to bottom
 _FIRST_WIRE = 3.6  # y position in line heights
-_MIN_SCALE, _MAX_SCALE, _MAX_TEXT_SCALE = 0.85, 2.0, 1.2  # at 1, the drawing fits the font
+_MIN_SCALE, _MAX_SCALE, _MAX_TEXT_SCALE = 0.85, 2.0, 1.2  # a scale of 1 fits the font
 
 
 @dataclass(frozen=True, slots=True)

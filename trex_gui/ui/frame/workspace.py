@@ -11,7 +11,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QStackedWidget, QTabWidget, QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.ui.frame.places import Place, Places, counted
+from trex_gui.ui.frame.places import Place, Places, title_with_count
 from trex_gui.ui.help.messages import MessageHelp
 from trex_gui.ui.help.search import Findable, Kind
 from trex_gui.ui.log import Log
@@ -97,7 +97,7 @@ class Workspace(QWidget):
         self.openers: Mapping[str, Callable[[Path], object]] = {}
         self.docks: Sequence[QDockWidget] = ()  # docks that the workspace shows and hides
         # Keys of menu entries that move motors. A search hit only opens the menu.
-        self.moving: Collection[str] = ()
+        self.motion_keys: Collection[str] = ()
         self.pages = Places(self)
         self._actions: Mapping[str, QAction] = {}  # key → action; set with the menus
         self._infos: tuple[PageInfo, ...] = ()
@@ -138,7 +138,7 @@ class Workspace(QWidget):
         return next(current, 0)
 
     @property
-    def count(self) -> int:
+    def page_count(self) -> int:
         return len(self._infos)
 
     def page_at(self, number: int) -> QWidget | None:
@@ -178,14 +178,14 @@ class Workspace(QWidget):
             placeholder.deleteLater()
 
     def show_page(self, key: str) -> None:
-        self.show_number(self._number_of(key))
+        self.show_page_at(self._number_of(key))
 
     def show_saved(self, saved: str) -> None:
         """Show the page with the key `saved`. If there is none, show the first page."""
         keys = [info.key for info in self._infos]
         self.show_page(saved if saved in keys else keys[0])
 
-    def show_number(self, number: int) -> None:
+    def show_page_at(self, number: int) -> None:
         tabs, index = self._tabs[number]
         tabs.setCurrentIndex(index)
         if (place := self._infos[number].place) is not None:
@@ -196,7 +196,8 @@ class Workspace(QWidget):
         number = self._number_of(key)
         (tabs, index), info = self._tabs[number], self._infos[number]
         if info.place is not None:
-            tabs.setTabText(index, counted(info.title.replace("&", ""), count))
+            title = info.title.replace("&", "")
+            tabs.setTabText(index, title_with_count(title, count))
             index = self.pages.indexOf(info.place)
         self.pages.bar.set_count(index, count)
 
@@ -324,17 +325,17 @@ def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
 
 
 def menu_findables(
-    window: QMainWindow, pages: Collection[str], moving: Collection[str]
+    window: QMainWindow, pages: Collection[str], motion_keys: Collection[str]
 ) -> Iterator[Findable]:
     """Yield search entries for the menus. An entry whose key is in `pages` has the kind "page".
 
-    A hit triggers its menu entry. If the entry is disabled or its key is in `moving`, the hit
-    opens the menu at the entry.
+    A hit triggers its menu entry. If the entry is disabled or its key is in `motion_keys`, the
+    hit opens the menu at the entry.
     """
     bar = window.menuBar()
 
     def show(menu: QMenu, action: QAction, key: str) -> None:
-        if action.isEnabled() and key not in moving:
+        if action.isEnabled() and key not in motion_keys:
             action.trigger()
         else:
             bar.setActiveAction(menu.menuAction())

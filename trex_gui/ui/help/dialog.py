@@ -20,13 +20,13 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.version import __version__
 
-_RESIZED_MS = 150
+_RESIZED_MS = 150  # delay before the pictures are fitted to a new width
 _HEADING_MARGIN = "margin-top:14px"
 
 _TAG = re.compile(r"<[^>]*>")
 _HEADING = re.compile(r"(<h[1-6][^>]*>)(.*?)(</h[1-6]>)", re.DOTALL)  # in Qt's HTML
 
-# Files shown in this window. The desktop opens other files, but might run a Python file.
+# Files shown in this window. The desktop opens all other files, and might run a Python file.
 _SHOWN_SUFFIXES = {".md", ".py"}
 
 
@@ -81,7 +81,7 @@ class HelpDialog(ReusedDialog):
 
     @Slot(QUrl)
     def _select(self, url: QUrl) -> None:
-        name = url.fileName()  # `source` is still the previous page
+        name = url.fileName()  # `source` still returns the previous page
         with QSignalBlocker(self._list):
             self._list.setCurrentRow(self._names.index(name) if name in self._names else -1)
 

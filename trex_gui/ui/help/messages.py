@@ -40,7 +40,7 @@ class MessageHelp:
 
     def topic(self, message: str) -> str:
         """Return the topic for a message or log line. Empty if no text matches."""
-        # A longer match may contain shorter matches.
+        # A long text may contain a shorter text.
         return max(self._matches(message), default=(0, ""))[1]
 
     def _matches(self, message: str) -> Iterable[tuple[int, str]]:
@@ -63,7 +63,7 @@ def texts_of(codes: Iterable[Enum]) -> list[str]:
     return [str(code.value) for code in codes]
 
 
-def topic_in_front(topics: Mapping[str, str], page: QWidget | None) -> str:
+def focused_topic(topics: Mapping[str, str], page: QWidget | None) -> str:
     """Return the help topic of the focused widget. Otherwise return the topic of the page.
 
     `topics`: object name → topic.

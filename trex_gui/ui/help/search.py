@@ -15,7 +15,7 @@ from trex_gui.core.resource_files import resource
 Kind = Literal["page", "parameter", "action", "message", "help"]
 
 _KIND_WEIGHTS = {"help": 0.8, "message": 0.6}  # 1 for other kinds
-_TEXT = 0.65  # weight of a word in the text; words in the title weigh up to 1
+_TEXT = 0.65  # maximum weight of a word in the text; the maximum for the title is 1
 _SYNONYM, _MISSPELT = 0.8, 0.5  # weights of synonyms and of similar words
 _WHOLE = 2  # factor if the query contains the whole title
 _MIN_LETTERS = 4  # minimum length of a word that may match inside another word

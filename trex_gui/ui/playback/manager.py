@@ -224,7 +224,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             window.close()
 
     def shut_down(self) -> bool:
-        """End recording, loading and export. Return whether all threads have ended."""
+        """End recording, loading and exporting. Return whether all threads have ended."""
         return all([self.recorder.shut_down(), *(window.player.close() for window in self.windows)])
 
     def _remove(self, window: WindowT) -> None:

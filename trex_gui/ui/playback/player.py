@@ -174,7 +174,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         raise NotImplementedError
 
     def close(self) -> bool:
-        """Cancel loading or export and close the file. Return whether the thread has ended."""
+        """Cancel loading or exporting, and close the file. Return whether the thread has ended."""
         self.pause()
         if not self._task.close(_CLOSE_TIMEOUT_MS):
             return False  # the thread may still use the file
@@ -196,7 +196,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         return self._traces
 
     @property
-    def drawn(self) -> tuple[int, int]:
+    def row_counts(self) -> tuple[int, int]:
         """Number of drawn rows, and number of all rows."""
         return len(self._history), self._rows
 

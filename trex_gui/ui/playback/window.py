@@ -27,7 +27,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_
 
 _REDRAW_DELAY_MS = 100
 
-_EVENT_MARGIN = 5.0  # seconds shown before and after a selected event if the span was long
+_EVENT_MARGIN = 5.0  # seconds shown before and after a selected event if the span is long
 _CSV_SUFFIX = ".csv"
 
 
@@ -225,7 +225,7 @@ class RecordingWindow(QMainWindow):
         if player.is_loaded:
             length = time_text(player.end - player.start)
             text = tr("{0}, {1} long").format(text, length)
-        drawn, rows = player.drawn
+        drawn, rows = player.row_counts
         if drawn < rows:
             text += ". " + tr(
                 "The curves show the last {0} of {1} samples. Exports contain all samples."

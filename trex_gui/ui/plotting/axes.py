@@ -147,13 +147,13 @@ def duration_text(seconds: float) -> str:
 
 
 def ago_labels(length: float) -> Labels:
-    """Return labels for the last `length` seconds: `30 s` ... `now`."""
+    """Return labels for the last `length` seconds, such as `30 s` to `now`."""
     marks = ticks(-length, 0, time_step(length))
     return [(x, tr("now") if abs(x) < 1e-9 else duration_text(-x)) for x in marks]
 
 
 def since_labels(start: float, end: float) -> Labels:
-    """Return labels for times since the origin, such as `1:30`. x is relative to `end`."""
+    """Return labels for times since the origin, such as `1:30`. Positions are relative to `end`."""
     step = time_step(end - start)
     return [(time - end, clock_text(time, step)) for time in ticks(start, end, step)]
 
@@ -193,7 +193,7 @@ class Span:
         self.length = min(max(seconds, MIN_SPAN), MAX_SPAN)
 
     def select_length(self, seconds: float) -> None:
-        """Set the length, also for the next live view."""
+        """Set the length of this view and of the next live view."""
         self.set_length(seconds)
         self._live_length = self.length
 
@@ -218,10 +218,10 @@ class Span:
 
         In a frozen span, the time `around` does not move.
         """
-        share = (self.end - around) / self.length
+        fraction = (self.end - around) / self.length
         self.set_length(self.length * factor)
         if not self.live:
-            self._end = around + share * self.length
+            self._end = around + fraction * self.length
             self._limit_end()
 
     def pan(self, seconds: float) -> None:

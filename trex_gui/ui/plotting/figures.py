@@ -172,7 +172,7 @@ class TraceTable(QAbstractTableModel):
                 shown = trace.name in self._plot.shown
                 return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
             case Qt.ItemDataRole.DecorationRole:
-                dotted = self._plot.is_right(trace)
+                dotted = self._plot.uses_right_axis(trace)
                 return swatch(theme().color(trace.color), QSize(14, 4), dotted=dotted)
         return None
 

@@ -108,7 +108,7 @@ class TracePanel(QWidget):
         self._restore_layout(parts, "plot_splitter")
         self._restore_layout(below, "figures_splitter")
         seconds = self._store.real(f"{self._key}window", _DEFAULT_SECONDS, MIN_SPAN, MAX_SPAN)
-        self.plot.set_window(seconds)
+        self.plot.select_length(seconds)
         self._show_top(self._store.real(f"{self._key}top", 0, 0, _MAX_TOP))
 
         self.plot.view_changed.connect(self._show_state)
@@ -204,7 +204,7 @@ class TracePanel(QWidget):
 
     def _select_window(self, seconds: float) -> None:
         self._store.set(f"{self._key}window", seconds)
-        self.plot.set_window(seconds)
+        self.plot.select_length(seconds)
 
     def _select_top(self, amps: float) -> None:
         self._store.set(f"{self._key}top", amps)
@@ -245,7 +245,7 @@ class TracePanel(QWidget):
     @Slot(bool)
     def _on_hold_toggled(self, hold: bool) -> None:
         span = self.plot.source.span if self.plot.source is not None else None
-        # Hold peaks from the newest sample on.
+        # Peaks are held from the newest sample on.
         self.plot.peaks_since = (span[1] if span is not None else -math.inf) if hold else None
         self.refresh()
 
@@ -266,11 +266,9 @@ class TracePanel(QWidget):
         self.refresh()
         source = self.plot.source
         events = [] if source is None else source.events_between(-math.inf, time)
-        for event in reversed(events):
-            if event.text == text:
-                self._list.select(event)
-                self._on_event_chosen(event)
-                return
+        if matches := [event for event in events if event.text == text]:
+            self._list.select(matches[-1])
+            time = matches[-1].time
         self._show_time(time)
 
     @Slot(object)

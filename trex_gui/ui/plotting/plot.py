@@ -115,7 +115,7 @@ class TracePlot(Painted):
         self._drawn_axes = None
         canvas, pens = self._canvas, Qt.PenStyle
         for trace in source.traces:
-            style = pens.DotLine if self.is_right(trace) else pens.SolidLine
+            style = pens.DotLine if self.uses_right_axis(trace) else pens.SolidLine
             self._shapes[trace.name] = (
                 canvas.add_curve(trace.color, self._line_width, style),
                 canvas.add_line(trace.color, pens.DashLine),
@@ -163,7 +163,7 @@ class TracePlot(Painted):
         self._show_cursors()
         self.cursor_changed.emit()
 
-    def set_window(self, seconds: float) -> None:
+    def select_length(self, seconds: float) -> None:
         self.span.select_length(seconds)
         self._on_view_changed()
 
@@ -215,7 +215,7 @@ class TracePlot(Painted):
             if np.isfinite(values).any():
                 lines[trace.name] = times - span.end, values
                 ends = float(np.nanmin(values)), float(np.nanmax(values))
-                extremes[self.is_right(trace)].append(ends)
+                extremes[self.uses_right_axis(trace)].append(ends)
         self._left.fit(extremes[False])
         self._right.fit(extremes[True])
         self._show_axes(has_right=bool(extremes[True]))
@@ -262,12 +262,12 @@ class TracePlot(Painted):
                 line.set_points(np.repeat(x, 3), y, gaps=True)
         self._marks.set_marks([(self._canvas.x_of(event.time - end), event) for event in events])
 
-    def is_right(self, trace: TraceInfo) -> bool:
+    def uses_right_axis(self, trace: TraceInfo) -> bool:
         """Return whether a curve uses the right axis. Such curves are dotted."""
         return trace.unit != self._left.unit
 
     def _height(self, trace: TraceInfo, value: FloatsT) -> FloatsT:
-        if not self.is_right(trace):
+        if not self.uses_right_axis(trace):
             return value
         height0, height1 = (self._right.map_to(self._left, level) for level in (0.0, 1.0))
         return height0 + value * (height1 - height0)
@@ -322,8 +322,8 @@ class TracePlot(Painted):
         self.span.zoom(factor, around)
         self._on_view_changed()
 
-    def _pan(self, share: float) -> None:
-        self.span.pan(share * self.span.length)
+    def _pan(self, fraction: float) -> None:
+        self.span.pan(fraction * self.span.length)
         self._on_view_changed()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -40,7 +40,7 @@ def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") 
 
 
 def set_sign(label: QLabel, name: str, color: str, extra: int = 0) -> None:
-    """Show an icon that follows the theme and is `extra` pixels higher than the text."""
+    """Show an icon that follows the theme and is `extra` pixels taller than the text."""
 
     def apply() -> None:
         side = label.fontMetrics().height() + extra

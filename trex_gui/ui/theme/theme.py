@@ -95,7 +95,7 @@ def read_colors(scheme: str) -> Colors:
 
 
 class Theme(QObject):
-    """Scheme and font size in use. `theme()` returns its only instance."""
+    """Scheme and font size in use. `theme()` returns the only instance."""
 
     changed = Signal()  # the colours or the font size have changed
 
@@ -172,13 +172,13 @@ class Theme(QObject):
     @Slot()
     def _show(self) -> None:
         scheme = self._resolve()
-        changes = scheme != self.scheme
+        has_changed = scheme != self.scheme
         self.scheme = scheme
         self._colors = read_colors(scheme)
         if self._app is not None:
             palette = self._colors.qpalette()
             # The platform may have replaced the palette.
-            if changes or self._app.palette() != palette:
+            if has_changed or self._app.palette() != palette:
                 self._app.setPalette(palette)
                 QToolTip.setPalette(palette)
             sheet = self._colors.style_sheet(scheme, self._app.font(), self.font_size)
@@ -186,7 +186,7 @@ class Theme(QObject):
                 # Replacing the sheet directly takes 0.6 s: Qt styles a widget once per ancestor.
                 self._app.setStyleSheet("")
                 self._app.setStyleSheet(sheet)
-        if changes:
+        if has_changed:
             self.changed.emit()
 
 
@@ -256,12 +256,12 @@ def fixed_font() -> QFont:
 
 
 def set_text_color(label: QLabel, name: str) -> None:
-    """Set a label's colour by its name in `style.qss`. Any other name resets the colour."""
+    """Set the colour of a label to a colour in `style.qss`. Any other name resets the colour."""
     set_style_property(label, "textColor", name)
 
 
 def set_look(widget: QWidget, look: str) -> None:
-    """Set the look of a widget by its name in `style.qss`.
+    """Set the look of a widget to a look in `style.qss`.
 
     Buttons: primary, stop, link or compact. Spin boxes: bare. Cards: compact. Frames: card,
     actions, message or pill. Tab bars: choices. Vertical sliders: motor1, motor2 or auxiliary.

@@ -19,8 +19,8 @@ class SpokenRange(NamedTuple):
 class Spoken:
     """Mixin whose texts are computed when a screen reader requests them.
 
-    Qt's own properties would send an event for every sample. As the description, a screen reader
-    announces the state, then the `accessibleDescription` or the tool tip.
+    Qt's own properties would send an event for every sample. The description consists of the
+    state and of the `accessibleDescription` or the tool tip.
     """
 
     spoken_role = QAccessible.Role.Graphic

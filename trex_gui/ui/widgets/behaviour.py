@@ -107,7 +107,7 @@ def strokes(painter: QPainter) -> Iterator[None]:
     would take a hundred times as long.
     """
     base = painter.worldTransform()
-    if not base.m22():  # painting on the device is impossible, which was seen under Wine
+    if not base.m22():  # the device cannot be painted on, as seen under Wine
         return
     ratio = painter.deviceTransform().m22() / base.m22()
     for pixel in range(max(1, round(ratio))):
@@ -219,8 +219,8 @@ class RedButton(QPushButton):
 class HoldButton(QPushButton):
     """Button held with the mouse, a finger, the space bar or Enter.
 
-    The hold ends when the input is lost (`PressMonitor`) or the mouse leaves the button. Then the
-    user must press again, even if the mouse returns while its own button is still pressed.
+    The hold ends when the input is lost (`PressMonitor`) or the mouse leaves the button. The user
+    must then press again, even if the mouse returns with the mouse button still pressed.
     """
 
     hold_started = Signal()

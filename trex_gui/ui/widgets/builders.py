@@ -85,7 +85,7 @@ class ComboBox(QComboBox):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def sizeHint(self) -> QSize:
-        """Add pixels, because under a style sheet Qt reserves too few for large text."""
+        """Add pixels, because Qt reserves too few for large text if there is a style sheet."""
         return super().sizeHint().grownBy(_TEXT_MARGIN)
 
     def minimumSizeHint(self) -> QSize:
@@ -460,7 +460,7 @@ def set_large(*buttons: QPushButton) -> None:
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:
-    """Set bold text by style sheet, since a widget loses its own font with a new parent."""
+    """Use the style sheet for bold text, since a new parent resets the font of a widget."""
     set_style_property(widget, "bold", bold)
 
 

@@ -56,8 +56,8 @@ class DocumentSaver(QObject):
     def save(self, path: Path, create: Callable[[], Content], *, ask: bool = False) -> bool:
         """Save the content that `create` returns. Return False if `create` fails.
 
-        `failed` emits a `StudioError` that `create` raises. `ask`: ask the user before overwriting
-        changes that another program made in the file.
+        If `create` raises a `StudioError`, `failed` is emitted. `ask`: ask the user before
+        overwriting changes that another program made in the file.
         """
         try:
             content = create()
@@ -112,7 +112,7 @@ class DocumentSaver(QObject):
     def may_leave(
         self, answer: SaveAnswer, save: Callable[[], bool], leave: Callable[[], object]
     ) -> bool:
-        """Return whether the document may be left now. On `SAVE`, save it, then call `leave`."""
+        """Return whether the user may leave the document. On `SAVE`, save it, then call `leave`."""
         if answer is SaveAnswer.SAVE:
             self.save_and_leave(save, leave)
         return answer is SaveAnswer.DISCARD
@@ -124,7 +124,7 @@ class DocumentSaver(QObject):
             return SaveAnswer.DISCARD if may_leave else SaveAnswer.CANCEL
         if not self._document.modified:
             return SaveAnswer.DISCARD
-        return file_questions.before_closing(self._window, self._document.name)
+        return file_questions.prompt_about_changes(self._window, self._document.name)
 
     def save_and_leave(self, save: Callable[[], bool], leave: Callable[[], object]) -> None:
         """Call `save`. Call `leave` once every running save has succeeded."""

@@ -20,7 +20,7 @@ class SaveAnswer(Enum):
     CANCEL = auto()
 
 
-def before_closing(window: QWidget, name: str) -> SaveAnswer:
+def prompt_about_changes(window: QWidget, name: str) -> SaveAnswer:
     button = QMessageBox.StandardButton
     answer = QMessageBox.question(
         window,

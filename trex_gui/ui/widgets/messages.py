@@ -37,7 +37,7 @@ _BUTTONS: dict[Remedy | type[ConnectWith | CopyCommand], tuple[str, str]] = {
     Remedy.SET_UP_CRC: ("bannerSetUpCrc", tr_noop("Set up CRC…")),
     Remedy.CHECK_BOARD: ("bannerCheckBoard", tr_noop("C&heck the board…")),
     Remedy.REPORT: ("bannerReport", tr_noop("Sa&ve report…")),
-    Remedy.STOP_THEM: ("bannerStop", tr_noop("Stop them now")),
+    Remedy.STOP_MOTORS: ("bannerStop", tr_noop("Stop them now")),
     ConnectWith: ("bannerConnectWith", tr_noop("Connect with its settings")),
     CopyCommand: ("bannerCopy", tr_noop("Copy command")),
 }
@@ -92,7 +92,7 @@ class _MessageRow(QFrame):
             self._layout.removeWidget(button)
             button.hide()
             button.setParent(None)
-            button.deleteLater()  # not at once, because its click may have called this method
+            button.deleteLater()  # deferred: a click on the button may have called this method
 
 
 class Banner(_MessageRow):
@@ -154,7 +154,7 @@ class Banner(_MessageRow):
 
     @Slot()
     def _on_cleared(self) -> None:
-        is_over = Remedy.REPORT not in self._offered or Remedy.STOP_THEM in self._offered
+        is_over = Remedy.REPORT not in self._offered or Remedy.STOP_MOTORS in self._offered
         if is_over and not self._check_danger():
             self.clear()
 
@@ -280,8 +280,8 @@ class InlinePrompt(_MessageRow):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("question", parent)
-        self._still: Callable[[], bool] = lambda: True
-        self._otherwise: Callable[[], object] = lambda: None
+        self._is_valid: Callable[[], bool] = lambda: True
+        self._on_withdrawn: Callable[[], object] = lambda: None
         self._cancel = ui.button(
             self, "questionCancel", tr("Cancel"), default=False, on_click=self.withdraw
         )
@@ -292,16 +292,16 @@ class InlinePrompt(_MessageRow):
         self,
         text: str,
         *answers: Answer,
-        still: Callable[[], bool] = lambda: True,
-        otherwise: Callable[[], object] = lambda: None,
+        is_valid: Callable[[], bool] = lambda: True,
+        on_withdrawn: Callable[[], object] = lambda: None,
     ) -> None:
         """Show a question without waiting for the answer.
 
-        `still`: returns whether the question still makes sense (see `reconsider`). `otherwise`:
-        called when the question is cancelled or no longer makes sense.
+        `is_valid`: returns whether the question still makes sense (see `reconsider`).
+        `on_withdrawn`: called when the question is cancelled or no longer makes sense.
         """
         self.withdraw()
-        self._still, self._otherwise = still, otherwise
+        self._is_valid, self._on_withdrawn = is_valid, on_withdrawn
         self._text.setText(text)
         self.setAccessibleName(text)
         for answer in answers:
@@ -315,17 +315,17 @@ class InlinePrompt(_MessageRow):
 
     @Slot()
     def withdraw(self) -> None:
-        otherwise = self._otherwise
+        on_withdrawn = self._on_withdrawn
         self._close()
-        otherwise()
+        on_withdrawn()
 
     def reconsider(self) -> None:
         """Withdraw a question that no longer makes sense."""
-        if self.text and not self._still():
+        if self.text and not self._is_valid():
             self.withdraw()
 
     def _on_answered(self, answer: Answer) -> None:
-        if self._still():
+        if self._is_valid():
             self._close()
             answer.then()
         else:
@@ -333,7 +333,7 @@ class InlinePrompt(_MessageRow):
 
     def _close(self) -> None:
         self.hide()
-        self._otherwise = lambda: None
+        self._on_withdrawn = lambda: None
         self._text.clear()
         self._remove_buttons()
 

@@ -64,7 +64,7 @@ class _Placement(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         window = self._window
-        # Checked before any use of the window, which receives events even while it is destroyed.
+        # Checked before using the window, which receives events even while it is being destroyed.
         if watched is not window or event.spontaneous():
             return False
         if not window.isMaximized() and not window.isFullScreen():

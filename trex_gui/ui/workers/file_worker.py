@@ -16,12 +16,12 @@ log = logging.getLogger(__name__)
 
 _PROGRESS_INTERVAL = 0.05  # seconds
 
-# Seconds of work before a pause, and seconds of the pause, in which the session threads and the
+# Seconds of work between pauses, and seconds of a pause, in which the session threads and the
 # GUI thread can run. Python switches threads only every 5 ms, which would delay the many short
 # tasks of these threads.
 _WORK, _PAUSE = 0.01, 0.001
 
-ProgressCallback = Callable[[float], None]  # receives the completed share, 0 to 1
+ProgressCallback = Callable[[float], None]  # receives the completed fraction, 0 to 1
 
 
 class _CancelledError(Exception): ...
@@ -36,9 +36,9 @@ class Done:
 
 
 class FileWorker(WorkerThread):
-    """Thread that runs one function. The owner must retain the worker until it ends."""
+    """Thread that runs one function. The owner must retain the worker until the thread ends."""
 
-    progressed = Signal(float)  # completed share, 0 to 1
+    progressed = Signal(float)  # completed fraction, 0 to 1
 
     def __init__(
         self, work: Callable[[ProgressCallback], object], parent: QObject | None = None
@@ -74,20 +74,20 @@ class FileWorker(WorkerThread):
         """End the work at its next progress report."""
         self._cancelled.set()
 
-    def _report(self, share: float) -> None:
+    def _report(self, progress: float) -> None:
         if self._cancelled.is_set():
             raise _CancelledError
         moment = now()
         if moment >= self._last_progress + _PROGRESS_INTERVAL:
             self._last_progress = moment
-            self.progressed.emit(share)
+            self.progressed.emit(progress)
         if moment >= self._last_pause + _WORK:
             runtime().sleep(_PAUSE)
             self._last_pause = now()
 
 
 class FileTask(QObject):
-    progressed = Signal(float)  # completed share, 0 to 1
+    progressed = Signal(float)  # completed fraction, 0 to 1
     done = Signal(object)  # `Done`; not emitted after `close`
 
     def __init__(self, parent: QObject | None = None) -> None:

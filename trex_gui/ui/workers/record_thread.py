@@ -133,7 +133,7 @@ class RecordThread(QObject, Generic[RecordT]):
     ) -> None:
         """Record into a new file.
 
-        `first`: written before later records. `prepare`: called first, in the new thread.
+        `first`: records at the start of the file. `prepare`: called first, in the new thread.
         """
 
         def open_writer() -> RecordingWriter[HeaderT, RecordT]:

@@ -86,7 +86,7 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
         (FirmwareState.IDLE, True, "LED: on"),
         (FirmwareState.MOVING, False, "LED: off"),
     ):
-        view.show_head(replace(panel.snapshot, state=state, led=led))
+        view.show_header(replace(panel.snapshot, state=state, led=led))
         assert panel.text("aracnaDemoLedText") == text, state
         assert lamp.lit is led, state
         assert lamp.accessibleName() == text, state

@@ -128,6 +128,6 @@ def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBo
     playback = RobotPlayback(open_recording(path), max_rows=100)
     with qtbot.waitSignal(playback.loaded, timeout=TIMEOUT_MS):
         playback.start_loading()
-    drawn, available = playback.drawn
+    drawn, available = playback.row_counts
     assert drawn == 100 < available
     playback.close()

@@ -409,11 +409,11 @@ def answer_prompt(monkeypatch: pytest.MonkeyPatch, answer: file_questions.SaveAn
     """Answer each prompt about unsaved edits. Return the list of file names in the prompts."""
     names: list[str] = []
 
-    def before_closing(_window: QWidget, name: str) -> file_questions.SaveAnswer:
+    def prompt_about_changes(_window: QWidget, name: str) -> file_questions.SaveAnswer:
         names.append(name)
         return answer
 
-    monkeypatch.setattr(file_questions, "before_closing", before_closing)
+    monkeypatch.setattr(file_questions, "prompt_about_changes", prompt_about_changes)
     return names
 
 

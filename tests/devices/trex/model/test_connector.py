@@ -88,7 +88,7 @@ def test_scan_sends_only_to_one_number_on_a_shared_line(
         assert sent == bytes.fromhex("80 07 01")
         assert "Other devices share the line" in scanner.findings[0].text
         sent.clear()
-        scanner.start([setup.ports.now(port) or port], only_recall=True)  # compact packet
+        scanner.start([setup.ports.current_entry(port) or port], only_recall=True)  # compact packet
         setup.until(partial(scanner_is_idle, scanner))
         assert sent == bytes.fromhex("80 07 01")
         sent.clear()
@@ -105,7 +105,7 @@ def test_reserved_numbers_survive_the_selection_of_a_port(setup: ConnectorSetup)
     ):
         port = setup.ports.add_typed(name)
         setup.ports.assign(port, "trex", ConnectionSettings("", device_number=number).packed)
-        setup.connector.select(setup.ports.now(port) or port)
+        setup.connector.select(setup.ports.current_entry(port) or port)
         assert setup.connector.settings == expected
 
 

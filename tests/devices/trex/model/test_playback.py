@@ -283,7 +283,7 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     with qtbot.waitSignal(playback.loaded, timeout=240_000):
         pass
     end = now()
-    assert playback.drawn[0] == playback.drawn[1] > 280_000
+    assert playback.row_counts[0] == playback.row_counts[1] > 280_000
     assert playback.end - playback.start == pytest.approx(3600, abs=0.1)
     playback.close()
     # Opening returns at once, and no later step blocks.
@@ -344,7 +344,7 @@ def test_only_the_last_samples_of_a_long_recording_are_drawn(
     monkeypatch.setattr("trex_gui.devices.trex.model.playback.MAX_ROWS", 1000)
     playback = playback_of(*drive_records(30))
     currents = [record for record in drive_records(30) if isinstance(record, Currents)]
-    assert playback.drawn == (1000, len(currents))
+    assert playback.row_counts == (1000, len(currents))
     times, _ = playback.traces.samples(playback.start, playback.end)
     assert times.tolist() == [record.time for record in currents[-1000:]]
 

@@ -235,7 +235,7 @@ def test_missing_part_of_a_recording_is_reported(
     playback.start_loading()
     window = RecordingWindow.open(playback, qtbot)
     window.wait(lambda: playback.is_loaded)
-    last, total = QLocale().toString(4100), QLocale().toString(playback.drawn[1])
+    last, total = QLocale().toString(4100), QLocale().toString(playback.row_counts[1])
     heading = f"The curves show the last {last} of {total} samples"
     assert heading in window.text("recordingHeading")
     window.window.close()

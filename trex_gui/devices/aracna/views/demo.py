@@ -46,7 +46,7 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
         )
         self.arrange(groups, repair, header)
 
-    def show_head(self, snapshot: RobotSnapshot | None) -> None:
+    def show_header(self, snapshot: RobotSnapshot | None) -> None:
         is_lit = snapshot is not None and snapshot.led
         text = tr("LED: on") if is_lit else tr("LED: off")
         if snapshot is not None and snapshot.state is FirmwareState.BOOTING:

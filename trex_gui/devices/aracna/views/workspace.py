@@ -99,7 +99,7 @@ class AracnaWorkspace(Workspace):
         self._demo.setWindowTitle(tr("Demo Aracna"))
         self.stop_text = tr("&Stop sequence")  # this robot has no stop command
         self.docks = (self._demo,)
-        self.moving = {"aracna_move", "aracna_play", "aracna_led"}
+        self.motion_keys = {"aracna_move", "aracna_play", "aracna_led"}
         pose_files = self._poses.files
         pose_files.opened.connect(lambda: self.show_page("poses"))
         poses = FileKind({SUFFIX}, tr("a pose file of an Aracna"), pose_files.open_file)

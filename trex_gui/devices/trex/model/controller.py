@@ -100,7 +100,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         super().connect_to(port)
 
     def select(self, port: Port) -> None:
-        if self._chosen is not None and not self._chosen.is_same(port) and not self.may_move:
+        if self._selected is not None and not self._selected.is_same(port) and not self.may_move:
             self._clear_group()
         super().select(port)
 
@@ -225,7 +225,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             device.notifier.warn(text, lasts=lambda: device.stop_may_matter)
             return
         device.warn(tr("Trying to reach the board to stop it …"))
-        self.connect_to(self.ports.now(self._last_port) or self._last_port)
+        self.connect_to(self.ports.current_entry(self._last_port) or self._last_port)
 
     def stop_now(self, *, ending: bool = False) -> None:
         self.device.connection.stop_now(ending=ending)

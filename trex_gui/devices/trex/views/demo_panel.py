@@ -115,7 +115,7 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
         self._drawing = Drawing(board, self)
         self.arrange([self._drawing, _other_rows(board, self)], factory)
 
-    def show_head(self, snapshot: DemoSnapshot | None) -> None:
+    def show_header(self, snapshot: DemoSnapshot | None) -> None:
         self._drawing.show_leds(snapshot)
 
 

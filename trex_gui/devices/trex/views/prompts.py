@@ -62,7 +62,7 @@ class ClosePrompt(QObject):
                 "offered when the board is connected again."
             )
             answer = Answer("closeYes", tr("Close anyway"), close_with_edits)
-            question.prompt(text, answer, still=lambda: device.writer.running)
+            question.prompt(text, answer, is_valid=lambda: device.writer.running)
         else:
             apply = Answer("applyFirst", tr("Review and apply…"), self._review)
             question.prompt(
@@ -71,7 +71,7 @@ class ClosePrompt(QObject):
                 Answer("saveAndClose", tr("Save as a settings file…"), save_and_close),
                 Answer("keepAndClose", tr("Keep and close"), close_with_edits),
                 Answer("closeYes", tr("Discard and close"), discard),
-                still=lambda: draft.pending > 0 and not device.writer.running,
+                is_valid=lambda: draft.pending > 0 and not device.writer.running,
             )
         return False
 
@@ -119,7 +119,7 @@ class RestorePrompt(QObject):
             text.format(offer.saved.settings.product.name, saved),
             Answer("restoreEdits", tr("Restore edits"), backup.restore),
             Answer("discardEdits", tr("Discard edits"), backup.discard_offer),
-            still=lambda: backup.offer is offer,
+            is_valid=lambda: backup.offer is offer,
         )
 
     @Slot()
@@ -144,7 +144,7 @@ class RestorePrompt(QObject):
                 text.format(record.settings.product.name, local_time(record.applied)),
                 Answer("showDiffering", tr("Show…"), self._show_differing),
                 Answer("keepDiffering", keep, lambda: memory.accept(utc_now())),
-                still=lambda: memory.differing == differing,
+                is_valid=lambda: memory.differing == differing,
             )
 
     def _show_differing(self) -> None:
@@ -186,7 +186,7 @@ class LeasePrompt(QObject):
 
         text = tr("{0} wants to drive. Handing over stops the motors.").format(user)
         submit = partial(self._device.connection.submit, HandOver(user))
-        self._question.prompt(text, Answer("handOver", tr("Hand over"), submit), still=is_valid)
+        self._question.prompt(text, Answer("handOver", tr("Hand over"), submit), is_valid=is_valid)
 
     @Slot(object)
     def _on_motors_stopped(self, report: MotorsStopped) -> None:
@@ -204,7 +204,7 @@ class LeasePrompt(QObject):
 
         text = tr("{0} drives. Taking over stops the motors.").format(lease.driver)
         submit = partial(self._device.connection.submit, TakeLease())
-        self._question.prompt(text, Answer("takeOver", tr("Take over"), submit), still=is_valid)
+        self._question.prompt(text, Answer("takeOver", tr("Take over"), submit), is_valid=is_valid)
 
     @Slot()
     def _on_line_closed(self) -> None:

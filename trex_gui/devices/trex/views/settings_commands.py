@@ -99,7 +99,7 @@ class SettingsCommands(QObject):
         self._question.prompt(
             tr("Read the settings from the board and discard the edits made here?"),
             Answer("reloadYes", tr("Discard and reload"), discard_and_reload),
-            still=lambda: device.draft.pending > 0 and device.is_writable,
+            is_valid=lambda: device.draft.pending > 0 and device.is_writable,
         )
 
     def propose_crc(self) -> None:

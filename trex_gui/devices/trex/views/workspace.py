@@ -95,7 +95,7 @@ class TrexWorkspace(Workspace):
         self._demo.setWindowTitle(tr("Demo TReX"))
         self.files = files = SettingsFiles(device, frame)
         self.docks = (self._demo,)
-        self.moving = {"run"}
+        self.motion_keys = {"run"}
         name, suffixes = tr("a settings file of a TReX"), {".txt", ".yaml", ".yml"}
         self.file_kinds = (FileKind(suffixes, name, files.open_file, files.edit_file),)
         self._settings = settings = SettingsCommands(device, self._linter, boards, frame)
@@ -104,7 +104,7 @@ class TrexWorkspace(Workspace):
         LeasePrompt(device, frame.question, self)
         self._plot: PlotWindow | None = None
 
-        frame.seen_changed.connect(device.set_visible)
+        frame.visibility_changed.connect(device.set_visible)
         self.files.staged.connect(lambda: self.show_page("parameters"))
         self.recordings.accept_drops(frame, self)
         self.openers = {"settings": files.open_file, "recording": self.recordings.open_file}

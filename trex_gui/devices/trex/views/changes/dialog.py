@@ -72,7 +72,7 @@ class Question(InlinePrompt):
             "reject the value, or store another one."
         )
         answer = Answer("writeAnyway", tr("Write an&yway"), write)
-        self.prompt(text.format(", ".join(names)), answer, still=lambda: doubts() == names)
+        self.prompt(text.format(", ".join(names)), answer, is_valid=lambda: doubts() == names)
 
 
 class ChangesDialog(ReusedDialog):

@@ -177,7 +177,7 @@ class Review(QObject):
         def is_valid() -> bool:
             return self._device.is_writable and is_taken == (number in self._boards.others)
 
-        self.dialog.question.prompt(text, answer, still=is_valid)
+        self.dialog.question.prompt(text, answer, is_valid=is_valid)
 
     def _reset_board(self) -> None:
         self.dialog.close()
