@@ -69,7 +69,7 @@ def test_board_that_leaves_serial_control_is_named(
     window: WindowDriver, boards: VirtualSimulator
 ) -> None:
     MotorsPage(window, boards).arm()
-    (other,) = window.device.others
+    (other,) = window.device.other_devices
     other.board.newest.update(Control(now(), by_serial=False))
     window.device.driving.update_available()
     assert not window.motors.armed

@@ -316,8 +316,8 @@ def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSi
 
 def test_plan_changed_during_a_run_applies_to_the_next_test(driving: BenchSetup) -> None:
     driving.bench.set_plan(replace(driving.bench.plan, motor=2))
-    driving.until(lambda: len((driving.bench.current or driving.finished[0]).currents) > 10)
-    run = driving.bench.current
+    driving.until(lambda: len((driving.bench.latest_run or driving.finished[0]).currents) > 10)
+    run = driving.bench.latest_run
     assert run is not None
     assert run.setpoints[0][1] == 60
     assert 0 < run.ended < 30

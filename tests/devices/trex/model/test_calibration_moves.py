@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.model.calibration_moves import Handle, moved, within_input
+from trex_gui.devices.trex.model.calibration_moves import Handle, limit_to_input, move_handle
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -25,7 +25,7 @@ def calibrations(draw: st.DrawFn) -> Calibration:
 def test_moved_handle_gives_a_valid_calibration(
     calibration: Calibration, handle: Handle, count: int
 ) -> None:
-    result, reason = moved(calibration, handle, count)
+    result, reason = move_handle(calibration, handle, count)
     assert result.problem() is None
     assert (handle.count(result) == count) == (reason == "")
 
@@ -44,28 +44,33 @@ def test_handle_is_limited_to_the_input_range(
     source: InputSource, handle: Handle, count: int, limited: int, reason: str
 ) -> None:
     calibration = CALIBRATION if source is InputSource.RC else Calibration(100, 512, 900, 20)
-    assert within_input(calibration, handle, count, source) == (limited, reason)
+    assert limit_to_input(calibration, handle, count, source) == (limited, reason)
 
 
 def test_handle_beyond_the_input_range_may_remain_there() -> None:
     wide = Calibration(100, 3750, 15000, 75)
-    assert within_input(wide, Handle.MAXIMUM, 14000, InputSource.RC) == (14000, "")
-    assert within_input(wide, Handle.MINIMUM, 50, InputSource.RC)[0] == 100
+    assert limit_to_input(wide, Handle.MAXIMUM, 14000, InputSource.RC) == (14000, "")
+    assert limit_to_input(wide, Handle.MINIMUM, 50, InputSource.RC)[0] == 100
 
 
 def test_each_handle_changes_its_own_value() -> None:
-    assert moved(CALIBRATION, Handle.MINIMUM, 2400)[0] == Calibration(2400, 3750, 5000, 75)
-    assert moved(CALIBRATION, Handle.NEUTRAL, 3700)[0] == Calibration(2500, 3700, 5000, 75)
-    assert moved(CALIBRATION, Handle.MAXIMUM, 5100)[0] == Calibration(2500, 3750, 5100, 75)
-    assert moved(CALIBRATION, Handle.DEADBAND_LOW, 3650)[0].deadband == 100
-    assert moved(CALIBRATION, Handle.DEADBAND_HIGH, 3790)[0].deadband == 40
+    assert move_handle(CALIBRATION, Handle.MINIMUM, 2400)[0] == Calibration(2400, 3750, 5000, 75)
+    assert move_handle(CALIBRATION, Handle.NEUTRAL, 3700)[0] == Calibration(2500, 3700, 5000, 75)
+    assert move_handle(CALIBRATION, Handle.MAXIMUM, 5100)[0] == Calibration(2500, 3750, 5100, 75)
+    assert move_handle(CALIBRATION, Handle.DEADBAND_LOW, 3650)[0].deadband == 100
+    assert move_handle(CALIBRATION, Handle.DEADBAND_HIGH, 3790)[0].deadband == 40
 
 
 def test_blocked_handle_names_the_blocking_value() -> None:
-    assert moved(CALIBRATION, Handle.MINIMUM, 4000)[1] == "Minimum cannot pass neutral."
-    assert moved(CALIBRATION, Handle.NEUTRAL, 2000)[1] == "Neutral cannot pass minimum."
-    assert moved(CALIBRATION, Handle.NEUTRAL, 6000)[1] == "Neutral cannot pass maximum."
-    assert moved(CALIBRATION, Handle.MAXIMUM, 3000)[1] == "Maximum cannot pass neutral."
-    assert moved(CALIBRATION, Handle.DEADBAND_HIGH, 3000)[1] == "The deadband ends at neutral."
+    assert move_handle(CALIBRATION, Handle.MINIMUM, 4000)[1] == "Minimum cannot pass neutral."
+    assert move_handle(CALIBRATION, Handle.NEUTRAL, 2000)[1] == "Neutral cannot pass minimum."
+    assert move_handle(CALIBRATION, Handle.NEUTRAL, 6000)[1] == "Neutral cannot pass maximum."
+    assert move_handle(CALIBRATION, Handle.MAXIMUM, 3000)[1] == "Maximum cannot pass neutral."
+    assert (
+        move_handle(CALIBRATION, Handle.DEADBAND_HIGH, 3000)[1] == "The deadband ends at neutral."
+    )
     neutral_at_maximum = Calibration(2500, 5000, 5000, 0)
-    assert moved(neutral_at_maximum, Handle.MINIMUM, 5000)[1] == "Minimum and maximum must differ."
+    assert (
+        move_handle(neutral_at_maximum, Handle.MINIMUM, 5000)[1]
+        == "Minimum and maximum must differ."
+    )

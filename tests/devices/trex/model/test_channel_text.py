@@ -7,7 +7,7 @@ import pytest
 from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.channel_text import (
-    concern,
+    calibration_warning,
     function_text,
     source_instructions,
     unreachable_warning,
@@ -84,11 +84,13 @@ def test_wrong_calibration_order_is_described_in_units() -> None:
     assert "both 2.50 V" in wrong_order(Calibration(512, 512, 512, 0), InputSource.ANALOG)
 
 
-def test_calibration_within_the_input_range_is_no_concern() -> None:
-    assert concern(CALIBRATION, InputSource.RC) == ""
-    assert concern(Calibration(1250, 3750, 6250, 75), InputSource.RC) == ""
-    assert concern(Calibration(0, 512, 1023, 20), InputSource.ANALOG) == ""
-    assert "reaches minimum" in concern(Calibration(3700, 3750, 5000, 75), InputSource.RC)
+def test_calibration_within_the_input_range_causes_no_warning() -> None:
+    assert calibration_warning(CALIBRATION, InputSource.RC) == ""
+    assert calibration_warning(Calibration(1250, 3750, 6250, 75), InputSource.RC) == ""
+    assert calibration_warning(Calibration(0, 512, 1023, 20), InputSource.ANALOG) == ""
+    assert "reaches minimum" in calibration_warning(
+        Calibration(3700, 3750, 5000, 75), InputSource.RC
+    )
 
 
 @pytest.mark.parametrize(
@@ -101,10 +103,10 @@ def test_calibration_within_the_input_range_is_no_concern() -> None:
         (Calibration(2500, 7000, 9000, 75), InputSource.RC, "Neutral (2800 µs) is outside"),
     ],
 )
-def test_calibration_beyond_input_range_is_a_concern(
+def test_calibration_beyond_input_range_causes_a_warning(
     calibration: Calibration, source: InputSource, words: str
 ) -> None:
-    text = concern(calibration, source)
+    text = calibration_warning(calibration, source)
     assert text.startswith(words)
     assert text == unreachable_warning(calibration, source)
     assert ("Pulses range from 500 µs to 2500 µs." in text) is (source is InputSource.RC)

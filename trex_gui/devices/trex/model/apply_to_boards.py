@@ -105,7 +105,7 @@ class ApplyToBoards(QObject):
         self._initial = self._boards.selected
         self._continue()
 
-    def _set(self, number: int, step: BoardStep, problem: str = "", **changes: Any) -> None:
+    def _set_step(self, number: int, step: BoardStep, problem: str = "", **changes: Any) -> None:
         self.plans = tuple(
             replace(plan, step=step, problem=problem, **changes) if plan.number == number else plan
             for plan in self.plans
@@ -113,7 +113,7 @@ class ApplyToBoards(QObject):
         self.changed.emit()
 
     def _finish_board(self, number: int, step: BoardStep, problem: str = "") -> None:
-        self._set(number, step, problem)
+        self._set_step(number, step, problem)
         self._continue()
 
     # --- Boards, one by one -------------------------------------------------------------
@@ -124,7 +124,7 @@ class ApplyToBoards(QObject):
             self._end()
             return
         number = waiting[0]
-        self._set(number, BoardStep.READING)
+        self._set_step(number, BoardStep.READING)
         self._select(number)
 
     def _select(self, number: int) -> None:
@@ -155,13 +155,13 @@ class ApplyToBoards(QObject):
             return
         try:
             changes = diff_against_draft(self._device.draft, self._target, is_stored=True)
-        except BadRequest as unfit:
-            self._finish_board(number, BoardStep.FAILED, error_text(unfit))
+        except BadRequest as mismatch:
+            self._finish_board(number, BoardStep.FAILED, error_text(mismatch))
             return
         if self.is_writing:
             self._write(number, changes)
         else:
-            self._set(
+            self._set_step(
                 number,
                 BoardStep.REVIEWED,
                 changes=changes,
@@ -187,7 +187,7 @@ class ApplyToBoards(QObject):
             return
         values = values_to_write(row for row in changes.rows if row.changed)
         self._current = number
-        self._set(number, BoardStep.WRITING)
+        self._set_step(number, BoardStep.WRITING)
         self._device.writer.write(tr("The same settings for several boards"), *values)
 
     @Slot(object)
@@ -200,11 +200,10 @@ class ApplyToBoards(QObject):
             names = ", ".join(self._device.draft.name_of(result.key) for result in failed)
             reasons = dict.fromkeys(error_text(result.error) for result in failed if result.error)
             text = tr("Not verified: {0}. {1}").format(names, " ".join(reasons))
-            self._set(number, BoardStep.FAILED, text)
             self._is_cancelled = True
+            self._finish_board(number, BoardStep.FAILED, text)
         else:
-            self._set(number, BoardStep.WRITTEN)
-        self._continue()
+            self._finish_board(number, BoardStep.WRITTEN)
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:
@@ -226,14 +225,14 @@ class ApplyToBoards(QObject):
             return
         for plan in self.plans:
             if plan.step in {BoardStep.READING, BoardStep.WRITING}:
-                self._set(plan.number, BoardStep.FAILED, tr("The connection was closed."))
+                self._set_step(plan.number, BoardStep.FAILED, tr("The connection was closed."))
         self._current = self._initial = None
         self._end()
 
     def _end(self) -> None:
         for plan in self.plans:
             if plan.step is BoardStep.WAITING:
-                self._set(plan.number, BoardStep.SKIPPED)
+                self._set_step(plan.number, BoardStep.SKIPPED)
         initial, self._initial = self._initial, None
         if initial is not None and initial != self._boards.selected and self._boards.can_select:
             self._boards.select(initial, lambda _error: self._finish())

@@ -18,7 +18,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer, now
 
 _HOLDER = "bench"  # holder name for `Motors.acquire`
-_MAX_RUNS = 10  # tests that stay in memory for comparison
+_MAX_RUNS = 10  # newest tests, which stay in memory for comparison
 _HIGHEST_COUNT = 255  # the board reports a current in one byte (0x8D)
 _TUNED_SUFFIXES = ("acceleration", "brake_duration", "current_limit", "current_limit_p")
 
@@ -85,7 +85,7 @@ class Bench(QObject):
         return self.phase is Phase.DRIVING
 
     @property
-    def current(self) -> Run | None:
+    def latest_run(self) -> Run | None:
         if self._run is None:
             return self.runs[-1] if self.runs else None
         return replace(
@@ -263,13 +263,13 @@ class Bench(QObject):
         self.changed.emit()
 
     def _finish(self) -> None:
-        run = self.current
+        run = self.latest_run
         self._timer.stop()
         self.phase = Phase.IDLE
         self._run = None
         if run is not None:
             if run.end is End.ABORTED and not run.reason:
-                # The motors are disarmed before the link changes.
+                # The reason is known only now, because motors are disarmed before the link changes.
                 run = replace(run, reason=self._external_reason())
             self.add_run(run)
 

@@ -44,7 +44,7 @@ class LineBoard:
         return f"{self.number} · {self.signature}" if self.signature else str(self.number)
 
 
-Done = Callable[[StudioError | None], None]  # called with the error, or `None` for success
+Done = Callable[[StudioError | None], None]  # called with the error, or `None` on success
 
 
 class BoardList(QObject):
@@ -65,8 +65,8 @@ class BoardList(QObject):
         self.scanned: int | None = None  # count of probed numbers; `None` while no scan runs
         self.is_selecting = False
         self._url = ""
-        self.is_probing = False  # a reply to a probe is due
-        self._queried = 0  # index of the last queried board among the unselected boards
+        self.is_probing = False  # a probe was sent, and its outcome is not known yet
+        self._queried = 0  # index of the last queried board in the list of unselected boards
         self._presence = new_timer(self, _PRESENCE_MS, self._on_presence_due)
         device.link_changed.connect(self._on_link_changed)
         device.connection.line_closed.connect(self._on_line_closed)
@@ -86,7 +86,7 @@ class BoardList(QObject):
         return len(self.boards) > 1
 
     @property
-    def others(self) -> set[int]:
+    def unselected_numbers(self) -> set[int]:
         """Numbers of the boards that are not selected."""
         return {board.number for board in self.boards} - {self.selected}
 
@@ -147,7 +147,7 @@ class BoardList(QObject):
             self._probe(number)
 
     def _continue_scan(self, number: int) -> None:
-        """Continue the scan after a reply. A reply to a presence query does not count."""
+        """Continue the scan after a reply. A reply to a presence query does not advance it."""
         if number == self.scanned:
             self.scanned += 1
             self.changed.emit()
@@ -248,8 +248,8 @@ class BoardList(QObject):
             elif error is not None or device.may_move:
                 finish(TrexError(ErrorCode.NOT_SELECTED_MOVING, number))
             else:
-                sharing = tuple(board.number for board in self.boards)
-                device.connection.select(number, sharing, lambda outcome: finish(outcome.error))
+                known = tuple(board.number for board in self.boards)
+                device.connection.select(number, known, lambda outcome: finish(outcome.error))
 
         if device.motors.armed or device.may_move:
             device.driving.stop(on_stopped, tr("Another board was selected."))

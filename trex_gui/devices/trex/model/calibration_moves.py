@@ -28,41 +28,42 @@ class Handle(Enum):
         return int(getattr(calibration, self.value))
 
 
-def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]:
-    """Move a handle as far as the board allows.
+def move_handle(calibration: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]:
+    """Return a calibration whose handle is as close to `count` as the board allows.
 
-    Also return a sentence about the limit that stopped it, or an empty string.
+    Also return a sentence about the limit that stopped the handle, or an empty string.
     """
+    minimum, neutral, maximum = calibration.minimum, calibration.neutral, calibration.maximum
     value, field = count, handle.value
     match handle:
         case Handle.MINIMUM:
-            limits = 0, min(c.neutral, c.maximum - 1)
+            limits = 0, min(neutral, maximum - 1)
             reason = tr("Minimum cannot pass neutral.")
-            if c.neutral >= c.maximum:
+            if neutral >= maximum:
                 reason = tr("Minimum and maximum must differ.")
         case Handle.NEUTRAL:
-            limits = c.minimum, c.maximum
-            if count < c.minimum:
+            limits = minimum, maximum
+            if count < minimum:
                 reason = tr("Neutral cannot pass minimum.")
             else:
                 reason = tr("Neutral cannot pass maximum.")
         case Handle.MAXIMUM:
-            limits = max(c.neutral, c.minimum + 1), HIGHEST_CODED
+            limits = max(neutral, minimum + 1), HIGHEST_CODED
             reason = tr("Maximum cannot pass neutral.")
-            if c.neutral <= c.minimum:
+            if neutral <= minimum:
                 reason = tr("Minimum and maximum must differ.")
         case Handle.DEADBAND_LOW | Handle.DEADBAND_HIGH:
             field = "deadband"
-            value = count - c.neutral if handle is Handle.DEADBAND_HIGH else c.neutral - count
-            limits = 0, max(c.neutral - c.minimum, c.maximum - c.neutral, 0)
+            value = count - neutral if handle is Handle.DEADBAND_HIGH else neutral - count
+            limits = 0, max(neutral - minimum, maximum - neutral, 0)
             reason = tr("The deadband cannot be wider than the travel.")
             if value < 0:
                 reason = tr("The deadband ends at neutral.")
     limited = max(limits[0], min(limits[1], value))
-    return replace(c, **{field: limited}), "" if limited == value else reason
+    return replace(calibration, **{field: limited}), "" if limited == value else reason
 
 
-def within_input(
+def limit_to_input(
     calibration: Calibration, handle: Handle, count: int, source: InputSource
 ) -> tuple[int, str]:
     """Limit a count to the input range.

@@ -179,7 +179,7 @@ def _exact_text(count: int, source: InputSource) -> str:
     return f"{Number(source.physical(count)):.3f} V"
 
 
-def concern(calibration: Calibration, source: InputSource) -> str:
+def calibration_warning(calibration: Calibration, source: InputSource) -> str:
     """Return a warning about an invalid or useless calibration, or an empty string."""
     if text := wrong_order(calibration, source) or unreachable_warning(calibration, source):
         return text

@@ -59,11 +59,11 @@ class Connection(DeviceConnection[ConnectionSettings]):
     not_responding = Signal(object)  # a `NotResponding`
     guardian_changed = Signal()  # `is_guarded`
     stop_sent = Signal()  # a stop was sent, but it is not confirmed yet
-    motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped motors on its own
+    motors_stopped = Signal(object)  # a `MotorsStopped`: the session itself stopped motors
     commands_repeated = Signal(object)  # a `CommandsRepeated`
     sampled = Signal(object)  # a `Batch`
     served = Signal(object)  # a report that only the server of a board sends
-    of_board = Signal(int, object)  # number and report of another board in the group
+    member_reported = Signal(int, object)  # number and report of another board in the group
     progressed = Signal(int, int, str)  # steps done, total steps, next step
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -119,12 +119,10 @@ class Connection(DeviceConnection[ConnectionSettings]):
     def prepare_to_close(self) -> None:
         self.leaving.emit()
 
-    def select(
-        self, number: int, sharing: tuple[int, ...], then: Callable[[Outcome], None]
-    ) -> None:
+    def select(self, number: int, known: tuple[int, ...], then: Callable[[Outcome], None]) -> None:
         """Address another board on the open line.
 
-        `link` is `CONNECTING` until the board is read. `sharing` contains the numbers of all known
+        `link` is `CONNECTING` until the board is read. `known` contains the numbers of all known
         boards. If the selection fails, `link` and `status` are restored.
         """
         before = self.link, self.status
@@ -138,7 +136,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
 
         self.leaving.emit()
         self._set_state(ConnectionState.CONNECTING, tr("Selecting device {0} …").format(number))
-        self.request(lambda request: SelectBoard(request, number, sharing), report)
+        self.request(lambda request: SelectBoard(request, number, known), report)
 
     def stop_now(self, *, ending: bool = False) -> None:
         """Stop every motor. With `ending`, also close the port. Thread-safe.
@@ -157,7 +155,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case OfBoard(report=Outcome() as outcome):
                 self.deliver(outcome)
             case OfBoard(number=number, report=other_report):
-                self.of_board.emit(number, other_report)
+                self.member_reported.emit(number, other_report)
             case GuardianChanged(is_ready=is_ready):
                 self.is_guarded = is_ready
                 self.guardian_changed.emit()
@@ -203,7 +201,7 @@ class MemberConnection(Connection):
     def __init__(self, main: Connection, number: int, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._main, self._number = main, number
-        main.of_board.connect(self._on_report)
+        main.member_reported.connect(self._on_report)
         main.line_closed.connect(self._on_line_closed)
 
     @property
@@ -211,7 +209,7 @@ class MemberConnection(Connection):
         return self._main.is_open
 
     def submit(self, request: object) -> bool:
-        """Queue a `Job`. The main connection handles requests that drive motors."""
+        """Queue a `Job`. Ignore other requests, because only the main connection drives motors."""
         if isinstance(request, Job):
             return self._main.submit(ToBoard(self._number, request))
         return False

@@ -59,7 +59,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.settings = self._read_settings()
         scanner.line = plugin.key, self.settings.packed
         self.demo_board = DemoBoard(self.simulator, self)
-        # Port of the last connection attempt. Unchanged while its motors may still be turning
+        # Port of the last connection attempt. Not updated while its motors may be turning
         self._last_port: Port | None = None
         LossWhileDriven(device, self)
         self._stops = 0  # number of automatic stops so far
@@ -272,7 +272,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     def _confirmation_text(self, reason: str) -> str:
         serial_controls = self.device.board.serial_controls
-        if serial_controls is None:  # the mode was not read yet, or the board does not respond
+        if serial_controls is None:  # the mode has not been read yet, or the board does not respond
             return tr("{0}. The board has confirmed the stop.").format(reason)
         if not serial_controls:
             return f"{reason}. {tr(STOP_WITHOUT_EFFECT)}"

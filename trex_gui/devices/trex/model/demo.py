@@ -14,7 +14,7 @@ from trex_gui.ui.runtime import new_timer
 
 STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}  # µs, V
 
-_SIGNAL = re.compile(r"([\d.]+) ?(us|V)", re.IGNORECASE)  # more text, such as the noise, may follow
+_SIGNAL = re.compile(r"([\d.]+) ?(us|V)", re.IGNORECASE)  # other text, such as noise, may follow
 _SIGNAL_UNITS = {InputSource.RC: "US", InputSource.ANALOG: "V"}
 
 
@@ -124,7 +124,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
         super().__init__(simulator, read_snapshot, parent)
         self._held: dict[int, float] = {}  # channel → position of a held stick, 0 to 1
-        self._after_off: tuple[str, ...] = ()
+        self._after_off: tuple[str, ...] = ()  # control lines to send after `_OFF_MS`
         self._off_timer = new_timer(self, _OFF_MS, self._on_off_timeout, single_shot=True)
 
     @property
@@ -237,7 +237,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         before = self.snapshot
         super()._show(snapshot)
         if before is not None and before.source is not snapshot.source:
-            # The sticks now output voltages instead of pulses, or vice versa. They stay in place.
+            # The sticks stay in place, but now output voltages instead of pulses, or vice versa.
             for channel in self._held:
                 if snapshot.channels[channel - 1].has_signal:
                     self._send_stick(channel)

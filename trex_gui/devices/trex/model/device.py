@@ -59,14 +59,14 @@ _MAX_NAMED = 3  # maximum number of written settings that an event names
 class Device(QObject):
     # `link`, `status`, `settings`, `may_move`, or the state of `writer`
     link_changed = Signal()
-    quality_changed = Signal()  # line quality was measured; every 2 s
+    quality_changed = Signal()  # line quality was measured (every 2 s)
     state_changed = Signal()  # `state` was read or cleared
     request_failed = Signal(str)  # reason for the user; also sent to the notifier
     errors_changed = Signal()  # errors were reported, cleared or reset
     lease_changed = Signal()  # driver or queue of a served board
     applied = Signal(object)  # a `WriteResult` for each value
     sampled = Signal(object)  # a `Batch`, after the models are updated
-    stop_pressed_offline = Signal()  # stop was pressed without a connection, while a motor may turn
+    stop_pressed_offline = Signal()  # stop was pressed while offline, and a motor may be turning
 
     def __init__(
         self,
@@ -81,7 +81,7 @@ class Device(QObject):
         self.notifier = notifier or Notifier(self)
         self.motors = Motors(self)
         self.main = main or self  # device whose `motors` the user drives
-        self.others: list[Device] = []  # other boards of the group
+        self.other_devices: list[Device] = []  # other boards of the group
         self.wheels: dict[int, Wheel] = {}  # motor → wheel, in a group
         self.draft = SettingsDraft(self)  # stored settings and edits
         self.parameters = self.draft.parameters
@@ -160,7 +160,7 @@ class Device(QObject):
         return name_of_board(self.state.signature, number)
 
     def named(self, text: str) -> str:
-        """Return the text. In a group, it is preceded by the board number."""
+        """Return the text, preceded by the board number in a group."""
         settings = self.connection.settings
         if settings is None or not self.wheels:
             return text
@@ -180,7 +180,7 @@ class Device(QObject):
         return self.main.driving.may_move
 
     def drive_of(self, motor: int) -> Drive | None:
-        """Return the setpoint of motor 1 or 2. `None` if it has none."""
+        """Return the setpoint of motor 1 or 2. `None` without a setpoint."""
         if not self.wheels:
             return self.main.motors.drive(motor)
         wheel = self.wheels.get(motor)
@@ -197,7 +197,7 @@ class Device(QObject):
         return f"{turning_text(self.driving.driven)} {self.board.silence_remedy}"
 
     def warn(self, cause: str, remedies: Remedies = ()) -> None:
-        """Show `loss_text` and its cause until a stop is confirmed."""
+        """Show `loss_text` and the cause of the loss until a stop is confirmed."""
         text = self.named(f"{self.loss_text} {cause}")
         self.notifier.warn(text, remedies, lambda: self.stop_may_matter)
 
@@ -216,7 +216,7 @@ class Device(QObject):
         self.connection.open(settings, may_move=may_move)
 
     def set_visible(self, visible: bool) -> None:
-        """Set whether a window is visible. Poll slowly without a visible window."""
+        """Record whether a window is visible. Without a visible window, poll slowly."""
         self.connection.watch("window", visible)
         self.telemetry.set_visible(visible)
 
@@ -232,7 +232,7 @@ class Device(QObject):
 
     @property
     def stop_may_matter(self) -> bool:
-        """True if a motor may turn because of this program."""
+        """True if a motor may be turning because of this program."""
         return self.may_move or bool(self.main.driving.lost_board)
 
     def shut_down(self) -> bool:
@@ -373,7 +373,7 @@ class Device(QObject):
 
     @Slot(object)
     def _on_replaced(self, path: Path) -> None:
-        """Report all files so far, because each message replaces the last message."""
+        """Report all files so far, because each message replaces the previous message."""
         self._replaced.append(path)
         text = tr(
             "Edits, notes or settings of another board with this device number were saved "

@@ -52,8 +52,8 @@ _REFUSALS = {ErrorCode.OTHER_DRIVES, ErrorCode.MAY_NOT_DRIVE}  # a server refuse
 class DriveController(QObject):
     """Sends setpoints and stops of the motors to the board.
 
-    After the line was opened or silent, a different board may respond. Its confirmations do not
-    count until it has been read.
+    After the line was opened or fell silent, a different board may respond. The confirmations of
+    this board do not count until it has been read.
     """
 
     changed = Signal()  # `reaches_several` has changed, or a stop was confirmed
@@ -67,7 +67,7 @@ class DriveController(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self.may_move = False  # motors were driven, and no stop was confirmed since
+        self.may_move = False  # motors were driven, and no stop has been confirmed since
         # Motors (3: the auxiliary) that were driven since the last confirmed stop
         self.driven: set[int] = set()
         self._notifier = notifier
@@ -114,19 +114,20 @@ class DriveController(QObject):
         control. A motor would then start unexpectedly.
         """
         reaches_one = self._is_connected and not self.reaches_several
-        other = self.undrivable_board()
-        allowed = reaches_one and bool(self._mirror.serial_controls) and other is None
+        undrivable = self.undrivable_board()
+        allowed = reaches_one and bool(self._mirror.serial_controls) and undrivable is None
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
                 text = tr("Serial commands no longer reach the motors.")
-                is_own = other is None
-                text = self.named(text) if is_own else tr("Board {0}: {1}").format(other, text)
-                self._motors.stop(text)
+                if undrivable is not None:
+                    self._motors.stop(tr("Board {0}: {1}").format(undrivable, text))
+                else:
+                    self._motors.stop(self.named(text))
             self._motors.set_available(allowed)
 
-    def set_reaching_several(self, several: bool) -> None:
-        if several != self.reaches_several:
-            self.reaches_several = several
+    def set_reaching_several(self, reaches_several: bool) -> None:
+        if reaches_several != self.reaches_several:
+            self.reaches_several = reaches_several
             self.update_available()
             self.changed.emit()
 
@@ -174,7 +175,7 @@ class DriveController(QObject):
             self._connection.submit(Arm(self._connection.selection))
             self._heartbeat.start()
             self._armed_at = time.strftime("%Y-%m-%d %H:%M:%S")
-            if not self._lost:  # the user drives the motors again, so no earlier stop matters
+            if not self._lost:  # the motors are driven again, so earlier stops no longer matter
                 self._notifier.danger_lasts = never
             self._notifier.cleared.emit()
 
@@ -268,7 +269,7 @@ class DriveController(QObject):
         if report.confirmed and not self.is_group:
             self._on_confirmed()
         elif report.confirmed and report.reason is None:
-            self.confirm()
+            self.repeat_stop()
 
     @property
     def is_group(self) -> bool:
@@ -276,8 +277,8 @@ class DriveController(QObject):
         settings = self._connection.settings
         return settings is not None and bool(settings.group)
 
-    def confirm(self) -> None:
-        """Stop a group again if a stop is unconfirmed."""
+    def repeat_stop(self) -> None:
+        """Stop every board of a group again if a stop is unconfirmed."""
         if self.may_move and not self._motors.armed:
             self._connection.request(Stop, self._on_stopped)
 
@@ -361,7 +362,7 @@ class DriveController(QObject):
             self.may_move = report.may_move or (self.may_move and self.is_group)
             self._motors.set_available(False)
             if self.is_group:
-                self.confirm()
+                self.repeat_stop()
         if is_back:
             self.may_move = True
             self._motors.stop(tr("The board that disconnected while driving is back."))

@@ -19,11 +19,11 @@ def setpoint_text(drive: Drive | None) -> str:
     if drive is None:
         return "–"
     if not drive.is_brake:
-        return share_text(drive.speed)
-    return tr("brake, {0}").format(share_text(drive.speed)) if drive.speed else tr("coast")
+        return percent_text(drive.speed)
+    return tr("brake, {0}").format(percent_text(drive.speed)) if drive.speed else tr("coast")
 
 
-def share_text(speed: int) -> str:
+def percent_text(speed: int) -> str:
     return f"{100 * abs(speed) / FULL_SCALE:.0f} %"
 
 
@@ -36,7 +36,7 @@ def direction_text(speed: int) -> str:
 
 def speed_text(speed: int) -> str:
     """Return a signed speed and its percentage: `forward 64 (50 %)`."""
-    return direction_text(speed) + (f" ({share_text(speed)})" if speed else "")
+    return direction_text(speed) + (f" ({percent_text(speed)})" if speed else "")
 
 
 def report_text(device: Device, motor: int) -> str:
@@ -76,7 +76,7 @@ class TimeoutWarning:
 def timeout_warning(device: Device) -> TimeoutWarning | None:
     if (own := _own_warning(device)) is not None:
         return TimeoutWarning(device.named(own.text), own.seconds)
-    for other in device.others:
+    for other in device.other_devices:
         if (warning := _own_warning(other)) is not None:
             return TimeoutWarning(other.named(warning.text), None)
     return None

@@ -40,7 +40,7 @@ class Gamepad(QObject):
         self._control = MomentaryDrive(device.motors, HOLDER)
         self._source = source
         self._store = Preferences()
-        self.on = False
+        self.is_on = False
         self.failure = ""  # reason and remedy if gamepads cannot be read
         self.pads: tuple[Pad, ...] = ()  # connected gamepads
         self.pad: Pad | None = None  # gamepad being read
@@ -58,7 +58,7 @@ class Gamepad(QObject):
         self.destroyed.connect(source.close)
 
     @property
-    def drives(self) -> bool:
+    def is_driving(self) -> bool:
         return self._control.held
 
     @property
@@ -69,15 +69,15 @@ class Gamepad(QObject):
     # --- User actions -------------------------------------------------------------------
 
     def switch_on(self) -> None:
-        if self.on:
+        if self.is_on:
             return
         try:
             self._source.open()
-        except GamepadUnavailable as unavailable:
-            self.failure = str(unavailable)
+        except GamepadUnavailable as error:
+            self.failure = str(error)
         else:
             self.failure = self.lost_pad = ""
-            self.on = True
+            self.is_on = True
             self._timer.start()
             self._update_pads()
         self._refresh()
@@ -85,8 +85,8 @@ class Gamepad(QObject):
     @Slot()
     def switch_off(self) -> None:
         self.failure = ""
-        if self.on:
-            self.on = False
+        if self.is_on:
+            self.is_on = False
             self.lost_pad = ""
             self._timer.stop()
             self._control.abort(tr("Driving with a gamepad was switched off."))
@@ -172,7 +172,7 @@ class Gamepad(QObject):
         if not self.request.drives:
             self._control.release()
         elif not self._control.steer(self.request.forward, self.request.turn):
-            self._reset_pilot()  # another control drives: the button must be pressed again
+            self._reset_pilot()  # another control is driving: the button must be pressed again
 
     @Slot()
     def _on_arming_changed(self) -> None:
@@ -207,7 +207,7 @@ class Gamepad(QObject):
         self.changed.emit()
 
     def _current_text(self) -> str:
-        if not self.on:
+        if not self.is_on:
             return self.failure
         if self.pad is None:
             if not self.lost_pad:
@@ -217,12 +217,12 @@ class Gamepad(QObject):
             return self._unattended
         if not self._motors.armed:
             return tr("Arm the motors first.")
-        if self._motors.holder and not self.drives:
+        if self._motors.holder and not self.is_driving:
             return tr("Another control is driving now.")
         held = button_text(self.pad, self.profile.hold)
-        return self._waits_text().format(held) if self._has_read else self.text
+        return self._condition_text().format(held) if self._has_read else self.text
 
-    def _waits_text(self) -> str:
+    def _condition_text(self) -> str:
         match self.request.waits_for:
             case DriveCondition.REST:
                 return tr(

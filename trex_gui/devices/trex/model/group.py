@@ -23,7 +23,7 @@ from trex_gui.ui.preferences import Preferences
 
 
 class BoardGroup(QObject):
-    """Boards that are driven together. Motors 1 and 2 are the left and the right side."""
+    """Boards that are driven together. Motors 1 and 2 are the left and right sides."""
 
     changed = Signal()  # `devices` or `wheels`
 
@@ -68,7 +68,7 @@ class BoardGroup(QObject):
         settings = self._device.settings
         return settings is not None and not is_served(settings.url)
 
-    def part(self) -> None:
+    def separate(self) -> None:
         """Reopen the line to drive the first board alone."""
         if (settings := self._device.settings) is not None:
             self._device.connect_to(replace(settings, group=()))
@@ -107,7 +107,7 @@ class BoardGroup(QObject):
             if number not in self._others:
                 self._others[number] = self._new_device(number)
         self.wheels = wheels
-        self._device.others = list(self._others.values())
+        self._device.other_devices = list(self._others.values())
         self._device.motors.are_sides = bool(numbers)
         for number, device in (self.devices or {0: self._device}).items():
             device.wheels = {wheel.motor: wheel for wheel in self.wheels if wheel.board == number}
@@ -116,7 +116,7 @@ class BoardGroup(QObject):
     def _new_device(self, number: int) -> Device:
         device = Device(self._device.notifier, self, main=self._device, number=number)
         device.driving.named = device.named
-        device.connection.ready.connect(self._device.driving.confirm)
+        device.connection.ready.connect(self._device.driving.repeat_stop)
         device.events.happened.connect(lambda: self._forward_event(device))
         return device
 

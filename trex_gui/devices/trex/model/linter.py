@@ -25,7 +25,7 @@ class SettingsLinter(QObject):
         self._on_changed()
 
     def set_context(self, context: Context | None) -> None:
-        """Set facts about the board. `None` switches the check off."""
+        """Set facts about the board. `None` disables the check."""
         if context != self._context:
             self._context = context
             self._on_changed()

@@ -21,8 +21,8 @@ class LossWhileDriven(QObject):
     """Reports the confirmed stop of a board that was lost while it was driven.
 
     If that board has latched a serial timeout, asks the user whether the timeout stopped the motor.
-    The program cannot know, because it sends a stop first. The user is not asked about simulated
-    boards.
+    The program cannot know, because it sends its own stop first. The user is not asked about
+    simulated boards.
     """
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
@@ -31,7 +31,7 @@ class LossWhileDriven(QObject):
         self._lost_at: float | None = None
         self._lost_place = ""
         self._has_shutdown = False  # UART-Error Shutdown was on when the board was lost
-        self._silent_for: float | None = None  # seconds of silence, which may have stopped motors
+        self._silent_for: float | None = None  # seconds of silence before the user is asked
         self._has_timed_out = False
 
         device.connection.not_responding.connect(self._on_lost)

@@ -11,14 +11,14 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.runtime import new_timer, now
 
 GROWTH = 127.0  # speed steps per second; full speed takes one second (inferred)
-_GROWTH_MS = 20
+_UPDATE_MS = 20
 
 
 class MomentaryDrive(QObject):
     """Drives the motors with forward and turn values, as holder `name`.
 
-    Speeds increase by `GROWTH` per second, so that a tapped key causes no jump. They decrease at
-    once.
+    Speeds increase by at most `GROWTH` per second, so a tapped key causes no jump. They decrease
+    immediately.
     """
 
     def __init__(self, motors: Motors, name: str) -> None:
@@ -28,8 +28,8 @@ class MomentaryDrive(QObject):
         self.joint = False  # both drivers power one motor
         self._direction = 0.0, 0.0  # forward and turn, each -1 to 1
         self._speeds = 0.0, 0.0
-        self._grown_at = -math.inf
-        self._timer = new_timer(self, _GROWTH_MS, self._grow)
+        self._updated_at = -math.inf
+        self._timer = new_timer(self, _UPDATE_MS, self._update_speeds)
         motors.holder_changed.connect(self._on_holder_changed)
 
     @property
@@ -46,18 +46,18 @@ class MomentaryDrive(QObject):
             return False
         self._direction = forward, turn
         self._timer.start()
-        self._grow()
+        self._update_speeds()
         return True
 
     @Slot()
-    def _grow(self) -> None:
+    def _update_speeds(self) -> None:
         """Approach the requested speeds. A late timer causes no jump."""
         forward, turn = self._direction
         ceiling = self._motors.ceiling_in_force
         goal: tuple[float, float] = mix(forward, turn if self.can_turn else 0.0, ceiling)
-        seconds = min(now() - self._grown_at, 2 * _GROWTH_MS / 1000)
-        self._grown_at = now()
-        self._speeds = grown(self._speeds, goal, GROWTH * seconds)
+        seconds = min(now() - self._updated_at, 2 * _UPDATE_MS / 1000)
+        self._updated_at = now()
+        self._speeds = next_speeds(self._speeds, goal, GROWTH * seconds)
         if self._speeds == goal:
             self._timer.stop()
         left, right = map(round, self._speeds)
@@ -79,13 +79,13 @@ class MomentaryDrive(QObject):
         self._motors.abort(self.name, reason)
 
 
-def grown(
+def next_speeds(
     speeds: tuple[float, float], goal: tuple[float, float], limit: float
 ) -> tuple[float, float]:
     """Return the next speeds on the way to the goal.
 
-    Speeds increase by at most `limit` and in proportion to each other, so that the robot stays on
-    its curve. They decrease at once. A speed drops to zero if its direction changes.
+    Speeds increase by at most `limit` and in proportion to each other, so the robot stays on its
+    curve. They decrease immediately. A speed drops to zero if its direction changes.
     """
     left, right = (
         math.copysign(min(abs(speed), abs(target)), target) if speed * target > 0 else 0.0
@@ -101,9 +101,9 @@ def grown(
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
     """Return the speeds of motors 1 (left) and 2 (right).
 
-    The board forms the same sums of its channels, and clips each sum (inferred). Here, if a sum
-    exceeds full speed, both speeds are reduced in proportion. `forward` and `turn` are -1 to 1.
-    `ceiling` (1 to 127) is the speed at full deflection.
+    The board adds and subtracts its channels in the same way, and clips each result (inferred).
+    Here, if a result exceeds full speed, both speeds are reduced in proportion. `forward` and
+    `turn` are -1 to 1. `ceiling` (1 to 127) is the speed at full deflection.
     """
     left, right = forward + turn, forward - turn
     scale = ceiling / max(1.0, abs(left), abs(right))

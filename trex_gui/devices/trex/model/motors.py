@@ -46,7 +46,7 @@ class Motors(QObject):
     options_changed = Signal()  # `board`, `ceiling`, `linked` or `release_brake`
     board_changed = Signal()  # another board is connected
     requested = Signal(object)  # a `SetMotor`, `SetMotors` or `SetAuxiliary`
-    stop_requested = Signal()  # emitted before any other signal of a stop
+    stop_requested = Signal()  # emitted before all other signals of a stop
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -61,7 +61,7 @@ class Motors(QObject):
         self.auxiliary = 0  # setpoint of the auxiliary motor, 0-127
         self.board = ""  # key of the saved ceiling; empty before a board is read
         self.adapter = ""  # adapter that distinguishes identical boards; empty if unknown
-        self.is_first_drive = True  # no ceiling was ever set for this board
+        self.is_first_drive = True  # no ceiling has been saved for this board
         self.ceiling = FIRST_CEILING  # highest speed that is sent, 1-127
         # Not raised while a control is held, because a motionless stick must not speed up motors
         self.ceiling_in_force = FIRST_CEILING
@@ -102,7 +102,7 @@ class Motors(QObject):
     def set_board(self, board: str, *, is_renamed: bool = False) -> None:
         """Load the saved ceiling of a board. Unlink the motors.
 
-        With `is_renamed`, the ceiling and the link stay. Save the ceiling under the new name.
+        With `is_renamed`, retain the ceiling and the link, and save the ceiling under the new name.
         """
         board = "-".join(filter(None, (board, self.adapter)))
         if board == self.board:
@@ -154,7 +154,7 @@ class Motors(QObject):
         if not self.holder or speed < self.ceiling_in_force:
             self.ceiling_in_force = speed
         driven = {motor: drive for motor, drive in self._drives.items() if not drive.is_brake}
-        self._set({motor: self._limited(drive.signed) for motor, drive in driven.items()})
+        self._request({motor: self._limited(drive.signed) for motor, drive in driven.items()})
         if self.auxiliary > speed:
             self._set_auxiliary(speed)
         self.options_changed.emit()
@@ -176,7 +176,7 @@ class Motors(QObject):
     # --- Arming and stopping ------------------------------------------------------------
 
     def set_available(self, available: bool) -> None:
-        """Set whether a board can be driven. If it cannot, disarm without a stop."""
+        """Record whether a board can be driven. If not, disarm without a stop."""
         was_available, self.is_available = self.is_available, available
         if not available:
             self._disarm()
@@ -255,7 +255,7 @@ class Motors(QObject):
         if not holder or self.holder != holder:
             return
         rest = Drive.brake(self.release_brake)
-        self._set(dict.fromkeys(sorted(self._held - {_AUXILIARY}), rest))
+        self._request(dict.fromkeys(sorted(self._held - {_AUXILIARY}), rest))
         if _AUXILIARY in self._held:
             self._set_auxiliary(0)
         self._clear_holder()
@@ -280,15 +280,15 @@ class Motors(QObject):
 
     def set_speed(self, motor: int, speed: int, holder: str = "") -> None:
         """Drive at a signed speed (-127 to 127)."""
-        self._set_for({motor: self._limited(speed)}, holder)
+        self._set_drives({motor: self._limited(speed)}, holder)
 
     def set_speeds(self, first: int, second: int, holder: str = "") -> None:
         """Drive both motors. If they are linked, the first speed applies to both."""
-        self._set_for({1: self._limited(first), 2: self._limited(second)}, holder)
+        self._set_drives({1: self._limited(first), 2: self._limited(second)}, holder)
 
     def set_brake(self, motor: int, duty: int, holder: str = "") -> None:
         """Brake with a duty of 0 (coast) to 127 (full)."""
-        self._set_for({motor: Drive.brake(duty)}, holder)
+        self._set_drives({motor: Drive.brake(duty)}, holder)
 
     def set_auxiliary(self, speed: int, holder: str = "") -> None:
         seven_bits(speed, "speed of the auxiliary motor")
@@ -297,19 +297,19 @@ class Motors(QObject):
                 self._held.add(_AUXILIARY)
             self._set_auxiliary(min(speed, self.ceiling_in_force))
 
-    def _set_for(self, drives: Mapping[int, Drive], holder: str) -> None:
+    def _set_drives(self, drives: Mapping[int, Drive], holder: str) -> None:
         if holder == self.holder:
             if self.linked:
                 drives = dict.fromkeys((1, 2), next(iter(drives.values())))
             if holder:
                 self._held.update(drives)
-            self._set(drives)
+            self._request(drives)
 
     def _limited(self, speed: int) -> Drive:
         _ = Drive.at(speed)  # raises on an invalid speed instead of limiting it
         return Drive.at(max(-self.ceiling_in_force, min(self.ceiling_in_force, speed)))
 
-    def _set(self, drives: Mapping[int, Drive]) -> None:
+    def _request(self, drives: Mapping[int, Drive]) -> None:
         """Request changed setpoints. Both motors start together."""
         new = [
             SetMotor(motor, drive, self.accelerate)

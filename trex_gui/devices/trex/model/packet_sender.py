@@ -48,8 +48,8 @@ class TrexPacketSender(PacketSender):
         packets = self._packets(text)
         for packet in packets:
             if _is_risky(packet):
-                text = tr("Sent by hand: {0}").format(packet.words(self._device.signature))
-                self._device.events.add(EventKind.NOTE, text)
+                note = tr("Sent by hand: {0}").format(packet.words(self._device.signature))
+                self._device.events.add(EventKind.NOTE, note)
             self._device.connection.traffic.expect_typed(packet.packet.raw)
             self._device.driving.send_packet(packet, partial(self._on_replied, packet))
 

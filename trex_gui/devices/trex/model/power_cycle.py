@@ -26,8 +26,8 @@ class PowerCycleStage(Enum):
     UNSURE = auto()  # the line was reopened, but stored settings may not be active yet
 
 
-_UNNOTICED = {PowerCycleStage.AWAITING_OFF, PowerCycleStage.UNSURE}  # the board still responds
-_WAITING = _UNNOTICED | {PowerCycleStage.AWAITING_ON}
+_STILL_ON = {PowerCycleStage.AWAITING_OFF, PowerCycleStage.UNSURE}  # the board still responds
+_WAITING = _STILL_ON | {PowerCycleStage.AWAITING_ON}
 
 
 class PowerCycle(QObject):
@@ -45,6 +45,7 @@ class PowerCycle(QObject):
 
     @property
     def still_waiting(self) -> tuple[str, ...]:
+        """Names of parameters whose stored values are not active yet."""
         return self._device.parameters.values.waiting_for_power
 
     def start(self, failed: Collection[str] = ()) -> None:
@@ -82,7 +83,7 @@ class PowerCycle(QObject):
             self._set_stage(PowerCycleStage.LOST)
         elif stage is PowerCycleStage.AWAITING_ON and link is ConnectionState.CONNECTED:
             self._set_stage(PowerCycleStage.BACK)
-        elif stage in _UNNOTICED and link is ConnectionState.NOT_RESPONDING:
+        elif stage in _STILL_ON and link is ConnectionState.NOT_RESPONDING:
             self._set_stage(PowerCycleStage.AWAITING_ON)
         elif stage is PowerCycleStage.LOST and link is ConnectionState.CONNECTED:
             self._set_stage(PowerCycleStage.UNSURE if self.still_waiting else PowerCycleStage.BACK)

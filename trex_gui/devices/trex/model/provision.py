@@ -32,7 +32,7 @@ from trex_gui.ui.translations import error_sentence, error_text
 
 class ProvisionStep(Enum):
     PROFILE = auto()  # not started
-    WAIT = auto()  # waits for a board
+    WAIT = auto()  # waiting for a board
     REVIEW = auto()
     WRITE = auto()
     MOTORS = auto()
@@ -52,7 +52,7 @@ class Provision(QObject):
         self.done: list[ProvisionedBoard] = []  # entries added to the record since `start`
         self.problem = ""  # reason why the board or the record cannot be used
         self.pulses = MotorPulses(device, self)
-        self.turns_motors = False
+        self.turns_motors = False  # after the write, the user turns the motors of each board
         self._device = device
         self._profile: Settings | None = None
         self._record: ProvisionRecord | None = None

@@ -36,7 +36,7 @@ _ON_KEY = "recording/keep_events"
 
 
 class Recorder(RecordThread[Record]):
-    """Records the session of a device into a file.
+    """Records the session of a device in a file.
 
     A recording ends with the connection. It also ends when the board or its input source
     changes, because the header would then be wrong. It continues while the board does not respond.
@@ -49,12 +49,12 @@ class Recorder(RecordThread[Record]):
         self._device = device
         self._board: tuple[object, ...] = ()
         self._settings = ""
-        # Board number → A per count of its current measurement
+        # Board number → unit of its current readings (A per count)
         self._others: dict[int, float] = {}  # other boards of the group
         self._recorded: dict[int, float] = {}  # other boards that the header lists
 
         device.sampled.connect(self._on_sampled)
-        device.connection.of_board.connect(self._on_other_board)
+        device.connection.member_reported.connect(self._on_other_board)
         device.connection.started.connect(self._others.clear)
         device.events.happened.connect(self.put_event)
         device.motors.requested.connect(self._on_requested)
@@ -151,11 +151,11 @@ class EventRecorder(Recorder):
         self._before: BoardSnapshot | None = None  # state of the board before `_recent`
         self._driven: dict[int, bool] = {}  # motor (0: auxiliary) → true while driven
         self._event: Event | None = None  # cause of the recording
-        self._user = user  # recorder that the user starts
+        self._user_recorder = user  # recorder that the user starts
         super().__init__(device, parent)
         self.is_on = Preferences().flag(_ON_KEY, default=True)
         start_ms, end_ms = round(1000 * _START_DELAY), round(1000 * _AFTER)
-        self._start_timer = new_timer(self, start_ms, self._start_soon, single_shot=True)
+        self._start_timer = new_timer(self, start_ms, self._on_start_due, single_shot=True)
         self._end_timer = new_timer(self, end_ms, self.stop, single_shot=True)
 
     def set_on(self, on: bool) -> None:
@@ -192,11 +192,11 @@ class EventRecorder(Recorder):
     def _is_relevant(self, event: Event) -> bool:
         if event.kind in {EventKind.FAULT, EventKind.OVER_LIMIT, EventKind.TIMEOUT}:
             return True
-        is_end = event.kind is EventKind.STOP or (event.kind is EventKind.LINK and event.is_problem)
-        return is_end and any(self._driven.values())
+        is_loss = event.kind is EventKind.LINK and event.is_problem
+        return (is_loss or event.kind is EventKind.STOP) and any(self._driven.values())
 
     def _save(self, event: Event) -> None:
-        if self._user.recording:
+        if self._user_recorder.recording:
             return
         if self.recording:
             if self.seconds < _MAX_LENGTH:
@@ -207,7 +207,7 @@ class EventRecorder(Recorder):
             self._end_timer.start()
 
     @Slot()
-    def _start_soon(self) -> None:
+    def _on_start_due(self) -> None:
         if self._worker is None:
             self._start()
         elif self._end_timer.isActive():  # the last recording is still being written to a slow disk
@@ -227,14 +227,14 @@ class EventRecorder(Recorder):
             settings=before.settings,
             others=self._recorded.copy(),
         )
-        first: list[Record] = [
+        initial: list[Record] = [
             SetpointRecord(start, motor, drive) for motor, drive in before.setpoints.items()
         ]
         if before.auxiliary is not None:
-            first.append(AuxiliarySetpointRecord(start, before.auxiliary))
+            initial.append(AuxiliarySetpointRecord(start, before.auxiliary))
         when = datetime.now().astimezone() - timedelta(seconds=now() - event.time)
         path = automatic_path(when, event.kind.value)
-        self.start_recording(path, FORMAT, header, (*first, *self._recent), prepare=remove_oldest)
+        self.start_recording(path, FORMAT, header, (*initial, *self._recent), prepare=remove_oldest)
 
     @Slot()
     def stop(self) -> None:

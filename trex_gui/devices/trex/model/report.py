@@ -38,9 +38,9 @@ def status_text(device: Device) -> str:
         f"Board: {device.board_name}",
         f"Mode: {MODE_TEXT[state.mode]}",
         f"In control: {device.board.control_text}",
-        f"Echo: {_yes(device.board.echo)}",
-        f"Guardian: {_yes(device.connection.is_guarded)}",
-        f"Armed: {_yes(device.motors.armed)}, may be moving: {_yes(device.may_move)}",
+        f"Echo: {_yes_or_no(device.board.echo)}",
+        f"Guardian: {_yes_or_no(device.connection.is_guarded)}",
+        f"Armed: {_yes_or_no(device.motors.armed)}, may be moving: {_yes_or_no(device.may_move)}",
         f"Currents (A): {telemetry.motor_currents}",
     ]
     lines += [
@@ -52,8 +52,8 @@ def status_text(device: Device) -> str:
     return "\n".join([*lines, ""])
 
 
-def _yes(fact: bool) -> str:
-    return "yes" if fact else "no"
+def _yes_or_no(value: bool) -> str:
+    return "yes" if value else "no"
 
 
 def settings_parts(device: Device) -> dict[str, Callable[[], str]]:

@@ -87,7 +87,7 @@ class Telemetry(QObject):
     updated = Signal()  # new samples, at most once per display frame
     # Like `updated`, but only while a window is visible. Also emitted when a window becomes visible
     frame_due = Signal()
-    text_due = Signal()  # like `frame_due`, but for text, at most once per `TEXT_INTERVAL`
+    text_due = Signal()  # like `frame_due`, but for text: at most once per `TEXT_INTERVAL`
 
     def __init__(
         self, drive_of: Callable[[int], Drive | None], newest: Newest, parent: QObject | None = None

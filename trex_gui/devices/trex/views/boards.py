@@ -66,7 +66,7 @@ class BoardPanel(QWidget):
         tip = tr("Drive several boards as one robot, with one pad and one Stop")
         self._drive_together = button("groupButton", tr("Drive together…"), icon="motor", tip=tip)
         self._drive_alone = button(
-            "partButton", tr("Drive alone"), icon="motor", on_click=group.part
+            "partButton", tr("Drive alone"), icon="motor", on_click=group.separate
         )
 
         title = ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True)

@@ -73,7 +73,7 @@ class PulseControls(QWidget):
     @only_when_visible
     def refresh(self) -> None:
         pulses, blocker = self._pulses, self._pulses.blocker
-        can_confirm = self._device.is_connected and not pulses.cannot_drive
+        can_confirm = self._device.is_connected and not pulses.mode_problem
         self._wheels.setEnabled(can_confirm)
         self._wheels.setChecked(pulses.wheels_are_free)
         may_arm = can_confirm and pulses.wheels_are_free

@@ -113,7 +113,7 @@ def test_keys_gamepad_and_link_are_off_for_another_board(qtbot: QtBot) -> None:
     keys = DriveWith(device, page).keys
 
     def states() -> tuple[bool, bool, bool]:
-        return keys.isChecked(), gamepad.on, motors.linked
+        return keys.isChecked(), gamepad.is_on, motors.linked
 
     motors.set_board("demo")
     keys.setChecked(True)

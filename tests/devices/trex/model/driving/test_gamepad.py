@@ -72,7 +72,7 @@ def setup(qtbot: QtBot) -> Iterator[GamepadSetup]:
 def test_held_button_and_moved_stick_drive_the_motors(setup: GamepadSetup) -> None:
     setup.drive_forward()
     assert setup.motors.holder == HOLDER
-    assert setup.gamepad.drives
+    assert setup.gamepad.is_driving
 
 
 def test_releasing_the_button_brakes_without_disarming(setup: GamepadSetup) -> None:
@@ -237,7 +237,7 @@ def test_last_selected_gamepad_model_is_selected_again(setup: GamepadSetup) -> N
 def test_missing_gamepad_support_is_shown_with_a_remedy(qtbot: QtBot) -> None:
     gamepad = Gamepad(Device(), HeldPads(failure="Install it with …"))
     gamepad.switch_on()
-    assert not gamepad.on
+    assert not gamepad.is_on
     assert gamepad.text == gamepad.failure == "Install it with …"
 
 

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from trex_gui.devices.trex.model.momentary_drive import (
     TURN_WHILE_DRIVING,
     Heading,
-    grown,
     keys_setpoint,
     mix,
+    next_speeds,
 )
 from trex_gui.devices.trex.simulator.channel_control import motor_values
 
@@ -59,7 +59,7 @@ def test_mixing_retains_the_speed_ratio_when_limited(forward: float, turn: float
 def test_speeds_grow_in_steps_and_fall_at_once(
     speeds: tuple[int, int], target: tuple[int, int], step: int
 ) -> None:
-    for speed, end, new in zip(speeds, target, grown(speeds, target, step), strict=True):
+    for speed, end, new in zip(speeds, target, next_speeds(speeds, target, step), strict=True):
         same_direction = speed * end > 0
         assert abs(new) <= abs(end) + 1e-9
         assert new * end >= 0
@@ -67,7 +67,7 @@ def test_speeds_grow_in_steps_and_fall_at_once(
         if same_direction and abs(end) <= abs(speed):
             assert new == pytest.approx(end)
     for _ in range(127):
-        speeds = grown(speeds, target, step)  # type: ignore[assignment]
+        speeds = next_speeds(speeds, target, step)  # type: ignore[assignment]
     assert speeds == target
 
 

@@ -422,10 +422,10 @@ def test_already_stored_values_request_the_test_at_once(setup: LearningSetup) ->
     assert setup.requested_tests == [(1,)]
     setup.learning.start_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
-    assert setup.learning.news == "These values are stored already."
+    assert setup.learning.test_message == "These values are stored already."
     setup.learning.cancel()
     setup.learning.start_test((1,))
-    assert setup.learning.news == ""
+    assert setup.learning.test_message == ""
 
 
 def test_old_values_in_review_come_from_the_board(setup: LearningSetup) -> None:

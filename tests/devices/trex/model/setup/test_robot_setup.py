@@ -129,7 +129,7 @@ def test_driving_by_computer_needs_the_wires_exchanged(robot: Robot) -> None:
 def test_single_reversed_motor_of_one_stick_is_rewired() -> None:
     wiring = Wiring(swapped=True, backward=frozenset({Side.LEFT}))
     assert wiring.rewiring(Driver.ONE_STICK).reverse == {Side.LEFT}
-    assert wiring.turned_channels(Driver.ONE_STICK) == {1}
+    assert wiring.channels_to_reverse(Driver.ONE_STICK) == {1}
 
 
 def test_reversing_needs_known_sticks_and_consistent_movements(robot: Robot) -> None:

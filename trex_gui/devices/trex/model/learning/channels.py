@@ -13,7 +13,7 @@ from trex_gui.devices.trex.calibration.neutral import ChannelSample, Neutral, no
 from trex_gui.devices.trex.calibration.problems import CalibrationProblem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel, Way
-from trex_gui.devices.trex.model.channel_text import concern, deadband_problem
+from trex_gui.devices.trex.model.channel_text import calibration_warning, deadband_problem
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import new_timer, now
 
 _CHECK_OFFSETS = {InputSource.RC: 250, InputSource.ANALOG: 102}
-"""Offset from rest, in counts (100 us, 0.5 V), at which a throttle's speed is checked."""
+"""Offset from rest, in counts (100 µs, 0.5 V), at which a throttle's speed is checked."""
 
 _FAST = FULL_SCALE // 2  # highest output at `_CHECK_OFFSETS` without a warning
 
@@ -48,7 +48,7 @@ class Check:
 
     def _findings(self) -> Iterator[_Finding]:
         text, calibration = self.neutral.source.text, self.curve.calibration
-        yield from self._useless()
+        yield from self._unusable()
         for way, end, name in (
             (Way.UP, calibration.maximum, tr("Maximum")),
             (Way.DOWN, calibration.minimum, tr("Minimum")),
@@ -70,10 +70,10 @@ class Check:
             if (speed := abs(self.curve.output(position))) > _FAST:
                 yield ProblemKind.SPEEDS_UP, "", (text(position), str(speed), FULL_SCALE)
 
-    def _useless(self) -> Iterator[_Finding]:
+    def _unusable(self) -> Iterator[_Finding]:
         calibration, source, idle = self.curve.calibration, self.neutral.source, self.travel.idle
         if idle is None:
-            text = concern(calibration, source)
+            text = calibration_warning(calibration, source)
         else:
             text = deadband_problem(calibration, source, "minimum" if idle is Way.UP else "maximum")
         if text:
@@ -224,7 +224,8 @@ class LearnedChannel:
         self.travel: Travel | None = None  # measures the ends; `None` without a rest position
         self.proposal: Proposal | None = None
         self.choice: Choice | None = None
-        self._received_at: float | None = None  # time of the last valid sample, or of the first
+        # Time of the last valid sample, or of the first sample if no sample was valid
+        self._received_at: float | None = None
         self.time = 0.0  # time of the newest sample
 
     def feed(self, sample: ChannelSample) -> None:

@@ -49,17 +49,17 @@ class Learning(QObject):
     The sticks move no motor. Only `use_values` edits settings. Nothing is written to the board.
     """
 
-    started = Signal()  # the rest positions will be measured
+    started = Signal()  # learning has started: rest positions will be measured
     changed = Signal()  # the step, `sampling`, `inputs.stalled` or a choice
     measured = Signal()  # new samples have arrived
     edited = Signal()  # the learned values are pending edits
-    stored = Signal()  # the board stores the learned values
+    stored = Signal()  # the board has stored the learned values
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = LearningStep.ENDED
         self.problem = ""  # reason for a failure or doubt, as text for the user
-        self.news = ""  # message before a test; empty if the user started the test
+        self.test_message = ""  # shown before a test; empty if the user started the test
         self.numbers: tuple[int, ...] = ()  # channels of the last run
         self.channels: tuple[LearnedChannel, ...] = ()
         self.tests: StickTests | None = None  # `None` before the test step
@@ -69,7 +69,7 @@ class Learning(QObject):
         self.pending = PendingLearnedValues(device, self)
         self._device = device
         self._after_stopping = LearningStep.NEUTRAL
-        self._next_news = ""
+        self._next_test_message = ""
         self._standstill = StandstillCheck(device, self)
 
         self.preconditions.violated.connect(self._on_violated)
@@ -135,13 +135,13 @@ class Learning(QObject):
 
     def start(self, channels: Sequence[int] = CHANNELS) -> None:
         """Stop the motors, then learn these channels together."""
-        self.news = self._next_news = ""
+        self.test_message = self._next_test_message = ""
         self.started.emit()
         self._start(channels, LearningStep.NEUTRAL)
 
     def start_test(self, channels: Sequence[int] = CHANNELS) -> None:
         """Stop the motors, then test stored values."""
-        self.news, self._next_news = self._next_news, ""
+        self.test_message, self._next_test_message = self._next_test_message, ""
         self._start(channels, LearningStep.TEST)
 
     def next(self) -> None:
@@ -327,6 +327,6 @@ class Learning(QObject):
         if self.step is LearningStep.ENDED:
             self._report_stored(numbers, tr("The learned values are stored."))
 
-    def _report_stored(self, numbers: tuple[int, ...], news: str) -> None:
-        self.numbers, self._next_news = numbers, news
+    def _report_stored(self, numbers: tuple[int, ...], message: str) -> None:
+        self.numbers, self._next_test_message = numbers, message
         self.stored.emit()

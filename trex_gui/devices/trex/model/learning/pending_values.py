@@ -24,7 +24,7 @@ class PendingLearnedValues(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
-        self._waiting: dict[int, Choice] = {}
+        self._unstored: dict[int, Choice] = {}
 
         device.applied.connect(self._on_applied)
         device.link_changed.connect(self._on_link_changed)
@@ -42,26 +42,26 @@ class PendingLearnedValues(QObject):
             if self._device.parameters.values.can_edit(_REVERSED):
                 self._device.parameters.edit(_REVERSED, channel_mask(reversed_), alone=True)
         is_pending = any(map(self.has_edit, choices))
-        self._waiting = dict(choices) if is_pending else {}
+        self._unstored = dict(choices) if is_pending else {}
         return is_pending
 
     def clear(self) -> None:
-        self._waiting = {}
+        self._unstored = {}
 
     def has_edit(self, number: int) -> bool:
         """Return whether the calibration or direction of a channel is edited."""
-        return self._calibration_edits((number,)) > 0 or number in self._turned()
+        return self._calibration_edits((number,)) > 0 or number in self._edited_directions()
 
     def other_edits(self, numbers: Sequence[int]) -> int:
         """Return the number of pending edits of other settings."""
-        turned = self._turned()
-        own = self._calibration_edits(numbers) + bool(turned and turned <= set(numbers))
+        directions = self._edited_directions()
+        own = self._calibration_edits(numbers) + bool(directions and directions <= set(numbers))
         return self._device.draft.pending - own
 
     def _calibration_edits(self, numbers: Iterable[int]) -> int:
         return sum(key.channel in numbers for key, _ in self._device.calibrations.pending)
 
-    def _turned(self) -> set[int]:
+    def _edited_directions(self) -> set[int]:
         """Return the channels with a pending change of direction."""
         stored = channels_in(self._device.parameters.values.stored.get(_REVERSED) or 0)
         return self._reversed_channels() ^ set(stored)
@@ -71,17 +71,17 @@ class PendingLearnedValues(QObject):
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
-        good = [result for result in results if result.error is None]
-        written = {result.channel for result in good}
-        is_turned = any(result.key == _REVERSED for result in good)
+        verified = [result for result in results if result.error is None]
+        written = {result.channel for result in verified}
+        are_directions_written = any(result.key == _REVERSED for result in verified)
         stored_numbers = tuple(
             number
-            for number, choice in self._waiting.items()
-            if (number in written or is_turned)
+            for number, choice in self._unstored.items()
+            if (number in written or are_directions_written)
             and self._device.calibrations.stored(number) == choice.calibration
         )
         for number in stored_numbers:
-            del self._waiting[number]
+            del self._unstored[number]
         if stored_numbers:
             self.stored.emit(stored_numbers)
 
@@ -94,9 +94,9 @@ class PendingLearnedValues(QObject):
     def _on_pending_changed(self) -> None:
         shown, reversed_ = self._device.calibrations.shown, self._reversed_channels()
         has_directions = self._device.parameters.values.can_edit(_REVERSED)
-        self._waiting = {
+        self._unstored = {
             number: choice
-            for number, choice in self._waiting.items()
+            for number, choice in self._unstored.items()
             if shown(number) == choice.calibration
             and (not has_directions or (number in reversed_) is choice.reversed_)
         }

@@ -44,7 +44,7 @@ class CalibrationPreconditions(QObject):
         super().__init__(parent)
         self._device = device
         self._watching = False
-        self._with_motors = False
+        self._watches_motors = False
         self._source: InputSource | None = None
 
         for changed in (
@@ -67,7 +67,7 @@ class CalibrationPreconditions(QObject):
         self._watching = False
 
     def watch_motors(self, watch: bool) -> None:
-        self._with_motors = watch
+        self._watches_motors = watch
         self._check()
 
     @property
@@ -97,7 +97,7 @@ class CalibrationPreconditions(QObject):
         if not state.mode.is_serial or state.source is not self._source:
             text = tr("The board was started in another mode.")
             return f"{text} {self.blocker}".rstrip()
-        if self._with_motors and device.motors.armed:
+        if self._watches_motors and device.motors.armed:
             return tr("The motors were armed, so this has ended.")
         if device.board.serial_controls is False:
             return tr("The sticks drive the motors now: the channels are in control.")

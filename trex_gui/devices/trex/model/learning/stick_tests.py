@@ -28,9 +28,9 @@ class StickTest:
         self.raw: int | None = None  # the newest count; `None` without a signal
         self.time = 0.0  # time of the newest sample
         self.output: int | None = None  # -127 to 127 now; `None` without a signal
-        self.forward = self.reverse = False  # full output was reached
+        self.forward = self.reverse = False  # full output was reached in this direction
         self.is_at_rest = False  # the output was 0 for `_REST_SECONDS`
-        self.on = self.off = False  # reached positions of a switch
+        self.on = self.off = False  # the switch was in this position
         self.ignored = False  # the board ignores the channel
         self.passed = False  # all positions were reached; a stick is also at rest
         self._full = {1: 0, -1: 0}  # consecutive samples with full output, by sign
@@ -105,7 +105,7 @@ def idle_side(curve: ChannelCurve) -> int:
 
 
 class StickTests:
-    """Tests of some channels. Other channels matter for safe-start only."""
+    """Tests of some channels. Other channels matter only for safe-start."""
 
     def __init__(self, device: Device, numbers: Sequence[int]) -> None:
         self.tests = tuple(StickTest(number, device.calibrations.source) for number in numbers)

@@ -70,7 +70,7 @@ class ParameterRow:
     keys: tuple[str, ...] = ()
 
 
-def _merged(wires: Sequence[int]) -> int:
+def _edit_value(wires: Sequence[int]) -> int:
     return wires[0] if len(wires) == 1 else frequency_code(*wires)
 
 
@@ -361,10 +361,11 @@ class ParameterModel(QAbstractTableModel):
 
     def _number(self, key: str) -> int | None:
         wires = self.text.wires(key)
-        return _merged(wires) if len(wires) == len(self.text.keys_of(key)) else None
+        return _edit_value(wires) if len(wires) == len(self.text.keys_of(key)) else None
 
     def default_number(self, key: str) -> int:
-        return _merged([self.values.specs[cell_key].default for cell_key in self.text.keys_of(key)])
+        specs = self.values.specs
+        return _edit_value([specs[cell_key].default for cell_key in self.text.keys_of(key)])
 
     def _problem(self, key: str) -> str | None:
         return next(filter(None, map(self.values.problems.get, self.text.keys_of(key))), None)

@@ -20,7 +20,7 @@ class ParameterValues:
     active: dict[str, int] = field(default_factory=dict)  # values in use until a power cycle
     optional: frozenset[str] = frozenset()  # keys that may have no value in a file
     problems: dict[str, str] = field(default_factory=dict)  # error texts of failed reads and writes
-    # Values outside inferred limits. Boards with this firmware are known to store them
+    # Values outside inferred limits that boards with this firmware are known to store
     accepted: Accepted = field(default_factory=dict)
 
     def load(

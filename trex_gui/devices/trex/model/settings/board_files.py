@@ -105,7 +105,7 @@ class BoardFiles(QObject):
         due, self._due = self._due, {}
         moved = self._moved & due.keys()
         self._moved -= moved
-        self._task.start(partial(_work, self._files, due, moved, self._to_read))
+        self._task.start(partial(_save_and_read, self._files, due, moved, self._to_read))
 
     @Slot(object)
     def _on_done(self, done: Done) -> None:
@@ -127,7 +127,7 @@ class BoardFiles(QObject):
             self._timer.start()
 
 
-def _work(
+def _save_and_read(
     files: EditFiles | BoardRecords,
     due: Mapping[BoardIdentity, Any],
     moved: set[BoardIdentity],
@@ -140,8 +140,8 @@ def _work(
     aside: list[Path] = []
     for owner, content in due.items():
         try:
-            if owner in moved and (other := put_aside(files.path(owner))) is not None:
-                aside.append(other)
+            if owner in moved and (renamed := put_aside(files.path(owner))) is not None:
+                aside.append(renamed)
             moved.discard(owner)
             files.save(owner, content)
         except SettingsError as error:

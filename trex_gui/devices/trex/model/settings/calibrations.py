@@ -27,7 +27,7 @@ class Calibrations(QObject):
         self._undo = undo or QUndoStack(self)
         self._model_key = ""
         self._stored: dict[CalibrationKey, Calibration] = {}
-        self._last_known: dict[CalibrationKey, Calibration] = {}  # also of the inactive source
+        self._last_known: dict[CalibrationKey, Calibration] = {}  # includes the inactive source
         self._open_ended = False  # a file, in which every calibration is optional
 
     # --- Values -------------------------------------------------------------------------

@@ -147,7 +147,7 @@ class SettingsDocument(QObject):
         if fresh:
             self._base = text
         if settings is not None and settings == self.settings:
-            self.draft.load_settings(settings)  # undo then creates a new edit
+            self.draft.load_settings(settings)  # from now on, undo creates a new edit
         self._stale = True
         self._publish()
 

@@ -262,13 +262,14 @@ class SettingsDraft(QObject):
 
     @contextmanager
     def one_edit(self, text: str) -> Iterator[None]:
+        """Combine edits into one undo step with this text. Without edits, add no step."""
         self.undo.beginMacro(text)
         try:
             yield
         finally:
             self.undo.endMacro()
             step = self.undo.command(self.undo.count() - 1)
-            if step.childCount() == 0:  # no value was changed
+            if step.childCount() == 0:
                 step.setObsolete(True)
                 self.undo.undo()
 

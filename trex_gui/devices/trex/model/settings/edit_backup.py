@@ -45,7 +45,7 @@ class EditBackup(QObject):
         draft.pending_changed.connect(self._on_changed)
 
     def close_board(self, *, is_deselected: bool = False) -> None:
-        """Pause saving until `set_board`, while the draft is loaded.
+        """Pause saving while the draft is loaded, until `set_board`.
 
         `is_deselected` is true if another board on the line was selected. The edits return when
         this board is selected again.
@@ -62,7 +62,7 @@ class EditBackup(QObject):
         self._board = None
 
     def set_board(self, *, opened: bool, is_simulated: bool = False) -> None:
-        """Start to save the edits of this board. Offer the edits of an earlier run.
+        """Start saving the edits of this board. Offer the edits of an earlier run.
 
         Simulated and real boards have separate files. For the same board, an open offer is repeated
         only if `opened`. Edits of settings that could not be read stay saved.

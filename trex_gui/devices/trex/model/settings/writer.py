@@ -34,7 +34,7 @@ class SettingsWriter(QObject):
     """Writes settings, one write at a time. Failed values remain edits.
 
     Before every write, a snapshot of the stored settings is saved in the background. Without a
-    snapshot, nothing is written. `finished` or `failed` reports each result.
+    snapshot, nothing is written. `finished` or `failed` reports the result of each write.
     """
 
     changed = Signal()  # `running` has become true, or `is_saving_snapshot` has become false
@@ -112,7 +112,7 @@ class SettingsWriter(QObject):
     def set_serial_timeout(self, seconds: float) -> None:
         """Write the serial timeout in seconds. 0 disables it.
 
-        A timeout also switches on UART-Error Shutdown, which it may need.
+        A timeout also switches on UART-Error Shutdown, which the timeout may need.
 
         Raises:
             BadRequest: the timeout is outside the range of the board.
@@ -185,13 +185,13 @@ class SettingsWriter(QObject):
         return self._board.state if self._connection.is_open else None
 
     def _expect_after(self, stored: Mapping[str, int]) -> None:
-        state, link = self._board.state, self._connection.settings
-        if state is not None and link is not None:
-            firmware = state.signature.firmware
-            self._connection.expect(reconnect_candidates(link, state.parameters, stored, firmware))
+        state, settings = self._board.state, self._connection.settings
+        if state is not None and settings is not None:
+            now_stored, firmware = state.parameters, state.signature.firmware
+            self._connection.expect(reconnect_candidates(settings, now_stored, stored, firmware))
 
     def cancel(self) -> bool:
-        """Cancel a write that was not sent yet. Return whether it was cancelled."""
+        """Cancel a write that has not been sent yet. Return whether it was cancelled."""
         if self._cancel_snapshot is None:
             return False
         self.end()

@@ -45,7 +45,7 @@ class MotorPulses(QObject):
         device.state_changed.connect(self.changed)
 
     @property
-    def cannot_drive(self) -> str:
+    def mode_problem(self) -> str:
         """Reason why pulses are impossible in this mode, or an empty string."""
         if self._device.is_connected and self._device.board.is_joint:
             return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
@@ -54,8 +54,8 @@ class MotorPulses(QObject):
     @property
     def blocker(self) -> str:
         """Reason why no pulse can start, or an empty string."""
-        if self.cannot_drive:
-            return self.cannot_drive
+        if self.mode_problem:
+            return self.mode_problem
         if self._device.is_connected and not self.wheels_are_free:
             return tr("Lift the robot so that its wheels turn freely, then confirm that here.")
         return held_drive_blocker(self._device, _HOLDER)

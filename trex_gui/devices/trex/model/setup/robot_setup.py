@@ -1,4 +1,4 @@
-"""Assistant that sets up a robot: steps, presets and edits."""
+"""Robot setup: steps, presets and edits."""
 
 from collections.abc import Mapping, Sequence
 from enum import Enum, auto
@@ -76,7 +76,7 @@ class SetupStep(Enum):
 
 
 class RobotSetup(QObject):
-    """Steps of the assistant.
+    """Assistant that sets up a robot in steps.
 
     Only `next` edits settings. Nothing is written to the board.
     """
@@ -88,7 +88,7 @@ class RobotSetup(QObject):
         self.step = SetupStep.DRIVER
         self.driver = Driver.ONE_STICK
         self.movements: dict[int, Movement] = {}  # motor → movement that the user reported
-        # Channel (1 or 2) → true if its input rises when the stick goes forward or right
+        # Channel (1 or 2) → true if its input rises when the stick moves forward or right
         self.rises: dict[int, bool] = {}
         self.preset: Preset | None = None  # source of the ramps; `None` retains the board's ramps
         # Wire value for both motors; `None` retains the board's limits
@@ -187,17 +187,13 @@ class RobotSetup(QObject):
         return {}
 
     def _directions(self) -> Mapping[str, int]:
-        wiring = self.wiring
-        if not self.driver.uses_sticks or wiring is None or not self.knows_sticks:
+        wiring, driver = self.wiring, self.driver
+        if not (driver.uses_sticks and self.knows_sticks and wiring) or wiring.rewiring(driver):
             return {}
-        if wiring.rewiring(self.driver):
-            return {}
-        turned = wiring.turned_channels(self.driver)
-        others = set(channels_in(self._device.parameters.values.value_of(_REVERSED) or 0)) - set(
-            _STICKS
-        )
-        reversed_ = {n for n in _STICKS if self.rises[n] == (n in turned)}
-        return {_REVERSED: channel_mask(others | reversed_)}
+        to_reverse = wiring.channels_to_reverse(driver)
+        reversed_ = set(channels_in(self._device.parameters.values.value_of(_REVERSED) or 0))
+        sticks = {n for n in _STICKS if self.rises[n] == (n in to_reverse)}
+        return {_REVERSED: channel_mask(reversed_.difference(_STICKS) | sticks)}
 
     # --- User actions -------------------------------------------------------------------
 
@@ -246,7 +242,7 @@ class RobotSetup(QObject):
         self.changed.emit()
 
     def next(self) -> None:
-        """Edit the settings of this step. Open the next step."""
+        """Edit the settings of this step, then open the next step."""
         if edits := self.edits:
             with self._device.draft.one_edit(tr("Set up my robot")):
                 for key, wire in edits.items():
@@ -271,9 +267,9 @@ class RobotSetup(QObject):
         self.step = step
         self.changed.emit()
 
-    def _move(self, by: int) -> None:
+    def _move(self, offset: int) -> None:
         steps = self.steps
-        index = steps.index(self.step) + by
+        index = steps.index(self.step) + offset
         if 0 <= index < len(steps):
             self.go_to(steps[index])
 

@@ -9,7 +9,7 @@ class Driver(Enum):
     """Control that drives the robot."""
 
     ONE_STICK = auto()  # the mix jumper is on: channel 2 drives, channel 1 turns
-    TWO_STICKS = auto()  # the mix jumper is off: channel 1 drives motor 1, channel 2 motor 2
+    TWO_STICKS = auto()  # the mix jumper is off: channel 1 drives motor 1, channel 2 drives motor 2
     COMPUTER = auto()  # serial commands drive the motors
 
     @property
@@ -40,7 +40,7 @@ class Rewiring:
     """Necessary wiring changes, which no setting can replace."""
 
     exchange_motors: bool  # the wire pairs of motors 1 and 2 are exchanged
-    reverse: frozenset[Side]  # motors whose two wires are exchanged
+    reverse: frozenset[Side]  # sides on which the two wires of the motor are exchanged
 
     def __bool__(self) -> bool:
         return self.exchange_motors or bool(self.reverse)
@@ -66,7 +66,7 @@ class Wiring:
         return cls(sides[0] is Side.RIGHT, frozenset(filter(None, backward)))
 
     def rewiring(self, driver: Driver) -> Rewiring:
-        """Return the necessary changes of the wiring.
+        """Return the necessary changes to the wiring.
 
         The board stores directions of channels (parameter 0x03), not of motors. Serial commands
         ignore these directions. With mixing, the directions can reverse both motors, or exchange
@@ -80,7 +80,7 @@ class Wiring:
             case Driver.COMPUTER:
                 return Rewiring(self.swapped, self.backward)
 
-    def turned_channels(self, driver: Driver) -> frozenset[int]:
+    def channels_to_reverse(self, driver: Driver) -> frozenset[int]:
         """Return the drive channels to reverse after rewiring.
 
         Inferred: mixing is motor 1 = forward + turn, motor 2 = forward - turn. Reversing channel 1
@@ -89,10 +89,10 @@ class Wiring:
         backward = self.backward - self.rewiring(driver).reverse
         match driver:
             case Driver.ONE_STICK:
-                is_reversed = len(backward) == 2
-                turned = {1: self.swapped != is_reversed, 2: is_reversed}
+                is_backward = len(backward) == 2
+                reverse = {1: self.swapped != is_backward, 2: is_backward}
             case Driver.TWO_STICKS:
-                turned = {1: Side.LEFT in backward, 2: Side.RIGHT in backward}
+                reverse = {1: Side.LEFT in backward, 2: Side.RIGHT in backward}
             case Driver.COMPUTER:
-                turned = {}
-        return frozenset(channel for channel, is_turned in turned.items() if is_turned)
+                reverse = {}
+        return frozenset(channel for channel, is_reversed in reverse.items() if is_reversed)

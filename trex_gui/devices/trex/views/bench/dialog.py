@@ -205,7 +205,7 @@ class BenchDialog(ReusedDialog):
 
     def _status_text(self, blocker: str) -> str:
         bench = self.bench
-        if bench.is_driving and (run := bench.current) is not None:
+        if bench.is_driving and (run := bench.latest_run) is not None:
             text = tr("Motor {0} is running: {1:.1f} of {2:g} s.")
             return text.format(run.motor, Number(run.ended), Number(run.profile.duration))
         next_step = blocker or tr("Armed. Hold the button: the motor runs only while it is held.")
@@ -259,7 +259,7 @@ class BenchDialog(ReusedDialog):
 
     @Slot()
     def _show_figures(self) -> None:
-        run = None if self.bench.is_driving else self.bench.current
+        run = None if self.bench.is_driving else self.bench.latest_run
         self._figures.show_runs(run, self._before)
 
     def _schedule_frame(self) -> None:
@@ -274,7 +274,7 @@ class BenchDialog(ReusedDialog):
         plan = self.bench.plan
         profile = plan.profile.limited(self._device.motors.ceiling)
         self._plot.show_plan(profile, plan.abort_current, self._device.current_limit(plan.motor))
-        self._plot.show_runs(self.bench.current, self._before)
+        self._plot.show_runs(self.bench.latest_run, self._before)
         if self.bench.phase is not Phase.IDLE:
             self._schedule_frame()
 

@@ -170,12 +170,14 @@ class Review(QObject):
         )
         specs = self._device.parameters.values.specs
         number = specs[ParameterKey.DEVICE_NUMBER].default
-        is_taken = number in self._boards.others
+        is_taken = number in self._boards.unselected_numbers
         text = f"{conflict.format(number)} {text}" if is_taken else text
         answer = Answer("boardResetSureButton", tr("Reset the &board"), self._reset_board)
 
         def is_valid() -> bool:
-            return self._device.is_writable and is_taken == (number in self._boards.others)
+            return self._device.is_writable and is_taken == (
+                number in self._boards.unselected_numbers
+            )
 
         self.dialog.question.prompt(text, answer, is_valid=is_valid)
 

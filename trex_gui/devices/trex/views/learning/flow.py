@@ -217,7 +217,7 @@ def _status_note(learning: Learning) -> tuple[str, bool]:
         case LearningStep.TEST:
             tests = learning.tests
             is_held = tests is not None and tests.channels_passed and not tests.passed
-            return f"{learning.news} {_test_text(learning)}".strip(), is_held
+            return f"{learning.test_message} {_test_text(learning)}".strip(), is_held
     return learning.problem, learning.step in {LearningStep.FAILED, LearningStep.DOUBT}
 
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.model.channel_text import concern
+from trex_gui.devices.trex.model.channel_text import calibration_warning
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, CalibrationKey
@@ -60,7 +60,7 @@ class DocumentChannels(PlotPage):
         for channel, strip in self._strips.by_channel.items():
             key = CalibrationKey.of(self._source, channel)
             shown = calibrations.shown(key)
-            problem = "" if shown is None else concern(shown, self._source)
+            problem = "" if shown is None else calibration_warning(shown, self._source)
             edited = shown != calibrations.stored(key) or options.is_edited(channel)
             strip.set_curve(self._source, options.curve(channel, shown))
             strip.show_mark("warning" if problem else "edited" if edited else "", problem)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGraphicsEllipseItem, QGraphicsItem, QWidget
 
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.model.calibration_moves import Handle, moved, within_input
+from trex_gui.devices.trex.model.calibration_moves import Handle, limit_to_input, move_handle
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.bars import DEFAULT_AXIS, input_labels, widened
@@ -193,8 +193,8 @@ class CurvePlot(Painted):
         if handle is None or shown is None:
             return
         count = round(self._canvas.x_at(x))
-        count, input_limit = within_input(shown.calibration, handle, count, self._source)
-        calibration, move_limit = moved(shown.calibration, handle, count)
+        count, input_limit = limit_to_input(shown.calibration, handle, count, self._source)
+        calibration, move_limit = move_handle(shown.calibration, handle, count)
         self._preview = replace(shown, calibration=calibration)
         # Extend the axis to the handle, so that the handle can follow the mouse.
         low, high = self.axis

@@ -78,7 +78,7 @@ class ChannelsPage(PlotPage):
         self._strips.chosen.connect(self._refresh)
         learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
         self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
-        # Show only findings about options. The note shows a `concern` about the calibration.
+        # Show only findings about options. The note shows the `calibration_warning`.
         self._findings.follow(
             linter, lambda finding: not CHANNEL_OPTIONS.keys().isdisjoint(finding.keys)
         )
@@ -219,7 +219,7 @@ class ChannelsPage(PlotPage):
             strip.set_curve(calibrations.source, self._options.curve(channel, shown))
             problem = self._failure(channel)
             if shown is not None and not problem:
-                problem = channel_text.concern(shown, calibrations.source)
+                problem = channel_text.calibration_warning(shown, calibrations.source)
             mark = "warning" if problem else "edited" if self._is_edited(channel) else ""
             strip.show_mark(mark, problem)
 
@@ -234,7 +234,7 @@ class ChannelsPage(PlotPage):
         self._card.note.show_note(problem or hint, alarming=bool(problem))
 
     def _problem_text(self) -> str:
-        """Return a rejection, a write failure or a concern, or else an empty text."""
+        """Return a rejection, a write failure or a warning, or else an empty text."""
         if self._rejection or not self._is_active:
             return self._rejection
         if failure := self._failure(self.channel):
@@ -242,7 +242,7 @@ class ChannelsPage(PlotPage):
         calibration = self._calibration()
         if calibration is None or not self._device.is_connected or self._device.writer.is_rejected:
             return ""
-        return channel_text.concern(calibration, self.source)
+        return channel_text.calibration_warning(calibration, self.source)
 
     # --- Live values --------------------------------------------------------------------
 

@@ -74,7 +74,7 @@ class GamepadPanel(QWidget):
     def _on_gamepad_changed(self) -> None:
         gamepad = self.gamepad
         with QSignalBlocker(self._on):
-            self._on.setChecked(gamepad.on)
+            self._on.setChecked(gamepad.is_on)
         pads = gamepad.pads
         names = [pad.name for pad in pads]
         if names != [self._pads.itemText(index) for index in range(self._pads.count())]:
@@ -85,7 +85,7 @@ class GamepadPanel(QWidget):
         self._pads.setEnabled(bool(pads))
         self._set_up.setEnabled(gamepad.pad is not None)
         for widget in (self._pads, self._set_up, self._unfocused):
-            widget.setVisible(gamepad.on)
+            widget.setVisible(gamepad.is_on)
         self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.lost_pad))
         self._state.setAccessibleName(gamepad.text or title_of(tr("&Gamepad")))
         self._update_blocker()

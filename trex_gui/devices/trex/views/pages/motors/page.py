@@ -20,9 +20,9 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs, setpoint_of
 from trex_gui.devices.trex.model.drive_texts import (
     limit_text,
+    percent_text,
     report_text,
     setpoint_text,
-    share_text,
     timeout_warning,
 )
 from trex_gui.devices.trex.model.group import BoardGroup
@@ -266,7 +266,7 @@ class MotorsPage(QWidget):
             focus_stop(self)  # otherwise Qt would focus a link, and arrow keys would open pages
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
-        brake = tr("Brake with {0}").format(share_text(motors.release_brake))
+        brake = tr("Brake with {0}").format(percent_text(motors.release_brake))
         for number, control in self._controls.items():
             control.set_usable(motors.armed and not self._is_unused(number))
             control.brake.setToolTip(ui.plain(brake))
@@ -311,7 +311,7 @@ class MotorsPage(QWidget):
             case SetpointSource.SERIAL if number != AUXILIARY:
                 return setpoint.speed, setpoint_text(self._motors.drive(number))
             case SetpointSource.SERIAL | SetpointSource.CHANNEL | SetpointSource.OTHER_DRIVER:
-                return setpoint.speed, share_text(setpoint.speed)
+                return setpoint.speed, percent_text(setpoint.speed)
         return 0, "" if setpoint.source is SetpointSource.NOT_ARMED else NO_VALUE
 
     @Slot()
