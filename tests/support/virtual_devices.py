@@ -255,7 +255,7 @@ class VirtualProcess(QProcess):
         self._end()
 
     def _obey(self, simulator: VirtualSimulator, line: str) -> None:
-        reply = simulator.obey(line)
+        reply = simulator.control(line)
         self._runtime.at(self._runtime.now(), lambda: self._print(reply), of_gui=True)
         if reply == GOODBYE:
             self._end()
