@@ -51,7 +51,7 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
     for item in packets:
         is_shared = link.device_number is not None and item.writes_everywhere
         board = "Every board on the line" if is_shared else "The board"
-        say(f"{item.hexadecimal}: {item.words()}{_effect_text(item, board)}")
+        say(f"{item.hexadecimal}: {item.description()}{_effect_text(item, board)}")
     may_move = any(item.moves for item in packets)
     if may_move and not motors:
         raise click.UsageError(

@@ -48,7 +48,7 @@ class TrexPacketSender(PacketSender):
         packets = self._packets(text)
         for packet in packets:
             if _is_risky(packet):
-                note = tr("Sent by hand: {0}").format(packet.words(self._device.signature))
+                note = tr("Sent by hand: {0}").format(packet.description(self._device.signature))
                 self._device.events.add(EventKind.NOTE, note)
             self._device.connection.traffic.expect_typed(packet.packet.raw)
             self._device.driving.send_packet(packet, partial(self._on_replied, packet))
@@ -59,7 +59,7 @@ class TrexPacketSender(PacketSender):
         return packets_of(parse_hexadecimal(text), polynomial)
 
     def _line(self, packet: RawPacket) -> str:
-        words = packet.words(self._device.signature)
+        words = packet.description(self._device.signature)
         if packet.moves:
             return tr("{0} (may move a motor)").format(words)
         if packet.writes:

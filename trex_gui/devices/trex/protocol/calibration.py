@@ -128,7 +128,7 @@ def encode_14_bits(value: int) -> bytes:
     """Encode 0-16383 as two data bytes: the low seven bits, then the high seven bits.
 
     Inferred: the documentation says "low byte, high byte", but no data byte may exceed 127.
-    Only this encoding observes that limit, and other Pololu controllers use it.
+    Only this encoding keeps to this limit, and other Pololu controllers use it.
     """
     return bytes([value & 0x7F, value >> 7])
 
@@ -153,8 +153,8 @@ def remap(
 
     The output is 0 for an ignored channel, and for a channel without a valid signal (`None` or
     0xFFFF, inferred). It is also 0 within `deadband` counts of neutral. At minimum and maximum, and
-    outside this range, the output is full. Otherwise, it grows linearly with the distance from the
-    deadband, or with the square of that distance if `parabolic`. It is rounded towards 0.
+    outside this range, it is -127 or 127. Otherwise, it grows linearly with the distance from the
+    deadband, or with the square of this distance if `parabolic`, and is rounded towards 0.
     """
     if raw is None or raw == INVALID_RAW or ignored:
         return 0

@@ -39,7 +39,7 @@ class Command(ABC, Generic[ReplyT_co]):
 
     opcodes: ClassVar[Sequence[int]]  # all command bytes of this class
     data_size: ClassVar[int] = 0  # data bytes after the command byte, without the CRC byte
-    fixed_reply: ClassVar[int] = 0  # size of the reply in bytes, if all replies have the same size
+    fixed_reply_size: ClassVar[int] = 0  # size of the reply in bytes, if it is always the same
     moves: ClassVar[bool] = False  # True if the command may start or stop a motor
     max_reply_delay: ClassVar[float] = 0.0  # seconds, without the transmission time
     has_crc: ClassVar[bool] = True  # True if the packet has a CRC byte while CRC is enabled
@@ -59,7 +59,7 @@ class Command(ABC, Generic[ReplyT_co]):
 
     def reply_size(self, _start: bytes = b"", /) -> int:
         """Return the size in bytes of a reply that starts with `_start`. 0 means no reply."""
-        return self.fixed_reply
+        return self.fixed_reply_size
 
     @abstractmethod
     def parse(self, reply: bytes) -> ReplyT_co:
@@ -121,7 +121,7 @@ class GetMode(Command[Mode]):
     """0x82: mode that the mode jumper selected at power-up."""
 
     opcodes = (0x82,)
-    fixed_reply = 1
+    fixed_reply_size = 1
 
     def parse(self, reply: bytes) -> Mode:
         try:
@@ -137,7 +137,7 @@ class GetSerialControl(Command[bool]):
     """0x83: True if serial commands control the motors."""
 
     opcodes = (0x83,)
-    fixed_reply = 1
+    fixed_reply_size = 1
 
     def parse(self, reply: bytes) -> bool:
         if reply[0] > 1:
@@ -150,7 +150,7 @@ class GetStatus(Command[Status]):
     """0x84: status bits. Reading clears them."""
 
     opcodes = (0x84,)
-    fixed_reply = 1
+    fixed_reply_size = 1
 
     def parse(self, reply: bytes) -> Status:
         if reply[0] == self.opcode:  # an echo must not confirm a stop
@@ -163,7 +163,7 @@ class GetUartErrors(Command[UartError]):
     """0x85: UART error bits. Reading clears them."""
 
     opcodes = (0x85,)
-    fixed_reply = 1
+    fixed_reply_size = 1
 
     def parse(self, reply: bytes) -> UartError:
         return UartError(reply[0])
@@ -222,8 +222,8 @@ class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
 
     def parse(self, reply: bytes) -> Mapping[int, int]:
         # Bit 7 is the direction. The documentation says that the magnitude of channel 3 is in the
-        # "lower six bits", and that the other channels have seven bits. Inferred: channel 3 has
-        # seven bits, too, because a magnitude of 0 to 127 needs them.
+        # "lower six bits", and that the other channels have seven bits. Inferred: channel 3 also
+        # has seven bits, because a magnitude of 0 to 127 needs them.
         return {
             channel: -(byte & FULL_SCALE) if byte & 0x80 else byte
             for channel, byte in zip(self.channels, reply, strict=True)
@@ -235,7 +235,7 @@ class GetCurrent(Command[int]):
     """0x8D, 0x8E: current of one motor in counts."""
 
     opcodes = (0x8D, 0x8E)
-    fixed_reply = 1
+    fixed_reply_size = 1
 
     motor: int
 
@@ -256,7 +256,7 @@ class GetCurrents(Command[tuple[int, int]]):
     """0x8F: currents of both motors in counts."""
 
     opcodes = (0x8F,)
-    fixed_reply = 2
+    fixed_reply_size = 2
 
     def parse(self, reply: bytes) -> tuple[int, int]:
         return reply[0], reply[1]
@@ -267,7 +267,7 @@ class GetCalibration(_ChannelCommand[Calibration]):
     """0x90-0x94: calibration of one channel, for the active input source."""
 
     opcodes = range(0x90, 0x95)
-    fixed_reply = 8
+    fixed_reply_size = 8
 
     @classmethod
     def from_packet(cls, opcode: int, _data: bytes, /) -> Self:
@@ -282,7 +282,7 @@ class GetCalibratedChannels(Command[int]):
     """0x95: mask of channels whose calibration was changed ("learned")."""
 
     opcodes = (0x95,)
-    fixed_reply = 1
+    fixed_reply_size = 1
 
     def parse(self, reply: bytes) -> int:
         if reply[0] > ALL_CHANNELS:
@@ -296,7 +296,7 @@ class GetParameter(Command[int]):
 
     opcodes = (0x9F,)
     data_size = 1
-    fixed_reply = 1
+    fixed_reply_size = 1
 
     number: int
 
@@ -338,7 +338,7 @@ class SetCalibration(_ChannelCommand[ResultCode]):
 
     opcodes = range(0xA0, 0xA5)
     data_size = 10
-    fixed_reply = 1
+    fixed_reply_size = 1
     max_reply_delay = 0.1  # usually 32 ms; the documentation specifies less than 100 ms
 
     calibration: Calibration
@@ -361,7 +361,7 @@ class SetParameter(Command[ResultCode]):
 
     opcodes = (0xAF,)
     data_size = 4
-    fixed_reply = 1
+    fixed_reply_size = 1
     max_reply_delay = 0.05  # usually 4 ms; the documentation specifies less than 50 ms
 
     number: int
@@ -472,7 +472,7 @@ class DriveAuxiliary(_MotorCommand):
 STOP: tuple[Command[None], ...] = (DriveBoth(Drive.brake(), Drive.brake()), DriveAuxiliary(0))
 """Full brake on both motors, auxiliary motor off.
 
-Both are set commands. Neither acceleration nor a reversal delays them.
+Both commands set the motors directly. Neither acceleration nor a reversal delays them.
 """
 
 

@@ -82,7 +82,7 @@ class ConnectionSettings(PortSettings):
         """Return the settings for driving these boards together.
 
         Raises:
-            BadRequest: there are fewer than two numbers, or one is repeated or reserved.
+            BadRequest: there are fewer than two numbers, or a number is repeated or reserved.
         """
         group = tuple(seven_bits(number, tr("device number")) for number in numbers)
         if len(set(group)) < 2 or len(set(group)) < len(group) or self.reserved & set(group):

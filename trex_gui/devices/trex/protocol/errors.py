@@ -98,7 +98,7 @@ class ErrorCode(Enum):
         "protocol."
     )
     OVERTAKEN_BY_STOP = tr_noop("A stop came first; nothing was sent.")
-    # Several boards on one line
+    # More than one board on a line
     OTHERS_WHILE_DRIVING = tr_noop(
         "The program does not scan for other boards while motors are armed or may be moving. Stop "
         "the motors first."
@@ -121,7 +121,7 @@ class ErrorCode(Enum):
         "While boards are driven together, no device number can be changed, no board can be "
         "selected, and no typed packet can store anything. Connect to this board alone."
     )
-    # Boards that are served to several clients
+    # Boards that are served to clients
     OTHER_DRIVES = tr_noop("Another user drives this board. Ask that user to hand over.")
     MAY_NOT_DRIVE = tr_noop("You may watch this board and stop it, but not drive or change it.")
     MAY_NOT_TAKE = tr_noop("Only an owner may take over from another user.")
@@ -173,7 +173,7 @@ class TrexError(CodedError):
 
 
 class TrexRequestError(TrexError, BadRequest):
-    """The request was rejected in the present state. Nothing was sent."""
+    """The request was rejected in the current state. Nothing was sent."""
 
 
 class TrexNoReplyError(TrexError, NoReply):
@@ -208,10 +208,10 @@ class Skipped(TrexError):  # noqa: N818 - nothing went wrong
 
 
 class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
-    """The board rejected a write. `what` names the setting."""
+    """The board rejected a write of this setting."""
 
-    def __init__(self, what: str, result: ResultCode) -> None:
-        super().__init__(ErrorCode[result.name], what)
+    def __init__(self, setting: str, result: ResultCode) -> None:
+        super().__init__(ErrorCode[result.name], setting)
         self.result = result
 
 

@@ -187,8 +187,8 @@ class Mode(Enum):
 
     @property
     def source(self) -> InputSource:
-        rc = self is Mode.RC or self is Mode.SERIAL_RC  # a set would slow the simulator down
-        return InputSource.RC if rc else InputSource.ANALOG
+        is_rc = self is Mode.RC or self is Mode.SERIAL_RC  # a set would slow the simulator down
+        return InputSource.RC if is_rc else InputSource.ANALOG
 
 
 @cache
@@ -207,8 +207,8 @@ def channel_mask(channels: Iterable[int]) -> int:
     return mask
 
 
-def seven_bits(value: int, what: str) -> int:
-    """Return `value`, or raise BadRequest with the name `what` if it is not 0-127."""
+def seven_bits(value: int, name: str) -> int:
+    """Return `value`. Raise BadRequest with the name of the value if it is not 0-127."""
     if not 0 <= value <= 0x7F:
-        raise BadRequest(tr("{0} must be 0 to 127, not {1}").format(what, value))
+        raise BadRequest(tr("{0} must be 0 to 127, not {1}").format(name, value))
     return value

@@ -1,4 +1,4 @@
-"""Encoder of packets, and parsers for packets and replies.
+"""Encoder for packets, and parsers for packets and replies.
 
 Ref: Pololu TReX User's Guide 5.b (sub-protocols), 5.e (CRC).
 """

@@ -91,5 +91,5 @@ class LineSettings(SerialFormat):
 
     @property
     def detection_text(self) -> str:
-        """Error detection in words, such as `even parity`, or an empty text."""
+        """Error detection in words, such as `even parity`, or an empty string."""
         return "CRC-7" if self.has_crc else super(LineSettings, self).detection_text

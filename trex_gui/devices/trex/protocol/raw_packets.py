@@ -60,7 +60,7 @@ class RawPacket:
         """Device number in an expanded packet, else `None`."""
         return self.packet.device_number if isinstance(self.packet, Packet) else None
 
-    def words(self, board: Signature | None = None) -> str:
+    def description(self, board: Signature | None = None) -> str:
         """Describe the packet. See `describe` for `board`."""
         packet = self.packet
         if isinstance(packet, Malformed):

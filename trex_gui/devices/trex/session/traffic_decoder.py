@@ -79,7 +79,7 @@ class TrexDecoder(Decoder):
         if not transaction.sent:
             return tr("unsolicited bytes")
         packets = _packets(transaction.sent, _polynomial(transaction.settings))
-        request = "; ".join(packet.words(self.board) for packet in packets)
+        request = "; ".join(packet.description(self.board) for packet in packets)
         packet = packets[-1].packet
         if isinstance(packet, Malformed):
             return request
@@ -108,7 +108,7 @@ _packets = lru_cache(maxsize=256)(packets_of)  # polling repeats the same few pa
 def last_exchange(
     transaction: Transaction,
 ) -> tuple[Packet | Malformed | None, Reply[object] | NeedData | Malformed | None]:
-    """Return the last sent packet and its reply. Each of them is `None` if missing."""
+    """Return the last sent packet and its reply. Either is `None` if missing."""
     if not transaction.sent:
         return None, None
     packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1].packet
