@@ -108,8 +108,8 @@ def test_ends_passed_without_a_hold_block_the_proposal(rate: float) -> None:
     seconds = 5 / rate
     moves = ((seconds, 1.0), (seconds, 0.0), (seconds, -1.0), (seconds, 0.0))
     travel = travel_of(stick, moves, rate)
-    assert travel.reached(Way.UP)
-    assert not travel.held(Way.UP)
+    assert travel.has_reached(Way.UP)
+    assert not travel.is_held(Way.UP)
     assert not travel.is_enough
     proposal = proposal_of(stick, travel)
     (problem,) = proposal.problems
@@ -129,20 +129,20 @@ def test_pause_before_the_end_does_not_count_as_hold() -> None:
     pause = ((0.2, 0.7), (1.2, 0.7))
     short_push = ((0.1, 1.0), (0.2, 1.0), (0.1, 0.0), (0.5, 0.0))
     travel = travel_of(Stick(), pause, 5.0)
-    assert travel.held(Way.UP)
+    assert travel.is_held(Way.UP)
     travel = travel_of(Stick(), pause + short_push, 5.0)
-    assert travel.reached(Way.UP)
-    assert not travel.held(Way.UP)
+    assert travel.has_reached(Way.UP)
+    assert not travel.is_held(Way.UP)
     travel = travel_of(Stick(), pause + short_push + push(1.0, 0.2, 1.2, 0.2), 5.0)
-    assert travel.held(Way.UP)
+    assert travel.is_held(Way.UP)
 
 
 def test_hold_prompt_names_the_pushed_end_until_it_is_held() -> None:
     up = ((0.4, 1.0),)
-    assert travel_of(Stick(), up, 5.0).to_hold is Way.UP
-    assert travel_of(Stick(), (*up, (1.0, 1.0)), 5.0).to_hold is None
-    assert travel_of(Stick(), ((0.4, -1.0),), 5.0).to_hold is Way.DOWN
-    assert travel_of(Stick(), ((0.4, 0.0),), 5.0).to_hold is None
+    assert travel_of(Stick(), up, 5.0).hold_direction is Way.UP
+    assert travel_of(Stick(), (*up, (1.0, 1.0)), 5.0).hold_direction is None
+    assert travel_of(Stick(), ((0.4, -1.0),), 5.0).hold_direction is Way.DOWN
+    assert travel_of(Stick(), ((0.4, 0.0),), 5.0).hold_direction is None
 
 
 def test_low_sample_rate_is_detected() -> None:

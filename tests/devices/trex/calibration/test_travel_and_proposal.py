@@ -223,8 +223,8 @@ def test_first_end_is_known_once_travel_is_enough() -> None:
 
 def test_only_the_travelled_direction_counts_as_reached() -> None:
     travel = travel_of(Stick(), neutral_of(Stick()), moves=ONLY_UP)
-    assert travel.reached(Way.UP)
-    assert not travel.reached(Way.DOWN)
+    assert travel.has_reached(Way.UP)
+    assert not travel.has_reached(Way.DOWN)
     assert travel.first is Way.UP
     assert not travel.is_enough
 

@@ -58,8 +58,8 @@ class ChannelCurve:
 
         Returns `None` for other channels and for an ignored channel.
 
-        Ref: User's Guide 4.a: a switch is active below a threshold. Inferred: the position of the
-        threshold, and that the threshold of a reversed channel is measured from the other end.
+        Ref: User's Guide 4.a: a switch is active below a threshold. Inferred: the threshold is
+        halfway between neutral and minimum, or neutral and maximum if the channel is reversed.
         """
         if channel not in _SWITCHES or self.ignored:
             return None
@@ -86,7 +86,7 @@ def _corners(curve: ChannelCurve, low: int, high: int) -> tuple[tuple[int, ...],
 
 
 def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None:
-    """Return whether channels 1 and 2 were mixed. `None` if unknown, such as at neutral.
+    """Return whether channels 1 and 2 are mixed. `None` if unknown, such as at neutral.
 
     No command reads the mix jumper, so the outputs of the curves are compared with the values that
     the board reports. The result is also `None` if these values fit neither case.

@@ -18,7 +18,7 @@ _MIN_JUDGED = 5  # samples; with fewer, no problem is reported
 _MAX_INVALID = 0.05  # fraction of samples without a signal; the board itself bridges 100 ms
 _MAX_SPIKES = 0.03  # fraction of lone wild values
 _SPIKE_LENGTH = 2  # maximum samples of a wild pulse, since a pulse may be read twice
-_NEIGHBORS = 3  # on each side of a compared value; more than `_SPIKE_LENGTH`
+_NEIGHBOURS = 3  # on each side of a compared value; more than `_SPIKE_LENGTH`
 
 _MIN_STUCK = 0.3
 """Minimum fraction of lost pulses to report. Inferred: the estimate from 75 values errs by 0.1. A
@@ -57,7 +57,7 @@ LIMITS = {
     InputSource.RC: InputLimits(moved=25, drifted=12, noisy=312),  # 10, 5 and 125 us
     InputSource.ANALOG: InputLimits(moved=8, drifted=4, noisy=128),  # 39, 20 and 626 mV
 }
-"""Inferred: a hand moves a stick further than this. A spring returns it closer to rest."""
+"""Inferred: a hand moves a stick further than this. A spring returns the stick closer to rest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,8 +108,8 @@ def no_signal(source: InputSource) -> CalibrationProblem:
     return CalibrationProblem(ProblemKind.NO_SIGNAL, source.name)
 
 
-def lost_pulses(share: float, *, fatal: bool = True) -> CalibrationProblem:
-    return CalibrationProblem(ProblemKind.JITTER, "LOST", (share,), fatal)
+def lost_pulses(fraction: float, *, fatal: bool = True) -> CalibrationProblem:
+    return CalibrationProblem(ProblemKind.JITTER, "LOST", (fraction,), fatal)
 
 
 def measure_neutral(samples: Sequence[ChannelSample], source: InputSource) -> Neutral | None:
@@ -162,7 +162,7 @@ def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int],
     Values are compared with their neighbours, because a drifting stick is far from its own median.
     """
     wild = [
-        abs(count - median(counts[max(0, index - _NEIGHBORS) : index + _NEIGHBORS + 1])) > limit
+        abs(count - median(counts[max(0, index - _NEIGHBOURS) : index + _NEIGHBOURS + 1])) > limit
         for index, count in enumerate(counts)
     ]
     lone: set[int] = set()

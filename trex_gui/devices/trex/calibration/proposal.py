@@ -9,8 +9,8 @@ from trex_gui.devices.trex.calibration.problems import CalibrationProblem, Probl
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 
-_INSIDE = 0.01  # fraction of the travel between the proposed and the measured end
-_INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise, added to `_INSIDE`
+_MARGIN = 0.01  # distance from the proposed to the measured end, as a fraction of the travel
+_MARGIN_DEVIATIONS = 3.0  # standard deviations of the noise, added to `_MARGIN`
 _MIN_IDLE = 1 / 3  # minimum distance of an unreached end, as a fraction of the reached travel
 
 WHY_THESE_VALUES = tr_noop(
@@ -24,7 +24,7 @@ WHY_THESE_VALUES = tr_noop(
 @dataclass(frozen=True, slots=True)
 class Proposal:
     calibration: Calibration | None  # `None` if a problem is fatal
-    reversed_: bool  # whether the channel should be reversed
+    reversed_: bool  # True if the channel should be reversed
     reversed_reason: str  # empty if the direction stays unchanged
     reasons: tuple[str, ...]  # explanations of the values
     problems: tuple[CalibrationProblem, ...]
@@ -40,8 +40,8 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
         maximum=min(HIGHEST_CODED, neutral.value + _distance(neutral, travel, Way.UP)),
         deadband=neutral.deadband,
     )
-    if refused := calibration.problem():
-        problems += (CalibrationProblem(ProblemKind.REFUSED, "MEASURED", (refused,)),)
+    if problem := calibration.problem():
+        problems += (CalibrationProblem(ProblemKind.REFUSED, "MEASURED", (problem,)),)
         return Proposal(None, reversed_now, "", (), problems)
     reasons = [_ends_reason(neutral, travel)]
     if neutral.noise > deadband_floor(neutral.source):
@@ -55,7 +55,7 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
 
 
 def _margin(length: int, neutral: Neutral) -> int:
-    return ceil(_INSIDE * length + _INSIDE_DEVIATIONS * neutral.deviation)
+    return ceil(_MARGIN * length + _MARGIN_DEVIATIONS * neutral.deviation)
 
 
 def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
@@ -66,7 +66,7 @@ def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
     (inferred).
     """
     length = travel.length(way)
-    if travel.reached(way):
+    if travel.has_reached(way):
         return length - _margin(length, neutral)
     source, other = neutral.source, Way(-way.value)
     limit = source.highest_count if way is Way.UP else source.lowest_count
@@ -74,7 +74,7 @@ def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
 
 
 def _ends_reason(neutral: Neutral, travel: Travel) -> str:
-    margins = [_margin(travel.length(way), neutral) for way in Way if travel.reached(way)]
+    margins = [_margin(travel.length(way), neutral) for way in Way if travel.has_reached(way)]
     inside = swing_text(max(margins), neutral.source).removeprefix("±")
     text = tr("The measured ends are up to {0} farther out.").format(inside)
     if (idle := travel.idle) is not None:
@@ -107,8 +107,8 @@ def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
                 if reversed_
                 else tr("The value rose when the stick went forward or right first")
             )
-        case Task.SWITCH if travel.reached(Way.UP) != travel.reached(Way.DOWN):
-            reversed_ = travel.reached(Way.UP)
+        case Task.SWITCH if travel.has_reached(Way.UP) != travel.has_reached(Way.DOWN):
+            reversed_ = travel.has_reached(Way.UP)
             observation = (
                 tr("The other position reads higher than the rest position, which should be off")
                 if reversed_

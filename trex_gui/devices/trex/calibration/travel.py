@@ -18,16 +18,16 @@ from trex_gui.devices.trex.calibration.problems import CalibrationProblem, Probl
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-HELD = 6
-"""Number of consecutive samples that must agree. They take longer than 100 ms. For that time, the
-board repeats a wild value if the next pulses are lost."""
+HELD_SAMPLES = 6
+"""Number of consecutive samples that must agree. They take longer than 100 ms, for which the board
+repeats a wild value if the next pulses are lost."""
 
-_SLOW_HELD = 3  # `HELD` on a slow line, where three samples take longer than 100 ms
-WINDOW = 2 * HELD - 1  # samples per median; the median ignores up to five wild samples
+_SLOW_HELD_SAMPLES = 3  # `HELD_SAMPLES` on a slow line, where three samples exceed 100 ms
+WINDOW = 2 * HELD_SAMPLES - 1  # samples per median; the median ignores up to five wild samples
 
-_SLOW = 0.05
-"""Maximum seconds between samples on a fast line. A wild pulse lasts 20 ms, so it is never read
-twice on a slow line. A short push of the stick may also be read only once."""
+_MAX_FAST_INTERVAL = 0.05
+"""Maximum seconds between samples on a fast line. On a slow line, a wild pulse of 20 ms is never
+read twice. A short push of the stick may also be read only once."""
 
 _HELD_FRACTION = 0.02  # samples agree within this fraction of the travel plus `_DEVIATIONS`
 _DEVIATIONS = 6.0  # limit for a still channel, in standard deviations of the noise
@@ -95,7 +95,7 @@ class _End:
         self._held_at: int | None = None
 
     def feed(self, recent: deque[int], *, slow: bool) -> None:
-        held = _SLOW_HELD if slow else HELD
+        held = _SLOW_HELD_SAMPLES if slow else HELD_SAMPLES
         window = list(recent)[1 - 2 * held :]
         if len(window) < 2 * held - 1:
             return
@@ -153,7 +153,7 @@ class Travel:
 
     @property
     def rest(self) -> int:
-        """Count at which the channel settled after its release. Otherwise `neutral`."""
+        """Count at which the channel settled after its release, or else `neutral`."""
         settled = self.settled
         if settled is None or self.task is Task.SWITCH:
             return self.neutral
@@ -188,17 +188,17 @@ class Travel:
         """Return the travel in counts. Negative if the channel never returned to rest."""
         return way.value * (self.end(way) - self.neutral)
 
-    def reached(self, way: Way) -> bool:
+    def has_reached(self, way: Way) -> bool:
         return self.length(way) >= least_travel(self.deadband)
 
-    def held(self, way: Way) -> bool:
-        return self.reached(way) and self._ends[way].is_held
+    def is_held(self, way: Way) -> bool:
+        return self.has_reached(way) and self._ends[way].is_held
 
     @property
-    def to_hold(self) -> Way | None:
-        """Current direction of the stick, if the user must still hold it there."""
+    def hold_direction(self) -> Way | None:
+        """Direction in which the user must still hold the stick, if the stick is there now."""
         for way in Way:
-            if self.now is not None and not self.held(way):
+            if self.now is not None and not self.is_held(way):
                 offset = way.value * (self.now - self.neutral)
                 if offset >= least_travel(self.deadband):
                     return way
@@ -210,19 +210,19 @@ class Travel:
         reached = {
             way: bisect_left(end.distances, _MOSTLY * end.distances[-1])
             for way, end in self._ends.items()
-            if self.reached(way)
+            if self.has_reached(way)
         }
         return min(reached, key=lambda way: reached[way], default=None)
 
     @property
     def idle(self) -> Way | None:
         """Direction without travel. A switch or a throttle rests at this end."""
-        ways = [way for way in Way if not self.reached(way)]
+        ways = [way for way in Way if not self.has_reached(way)]
         return ways[0] if self.task is not Task.STICK and len(ways) == 1 else None
 
     @property
     def is_enough(self) -> bool:
-        held = [self.held(way) for way in Way]
+        held = [self.is_held(way) for way in Way]
         return all(held) if self.task is Task.STICK else any(held)
 
     # --- Sample rate --------------------------------------------------------------------
@@ -235,12 +235,12 @@ class Travel:
 
     @property
     def is_slow(self) -> bool:
-        return self.interval > _SLOW
+        return self.interval > _MAX_FAST_INTERVAL
 
     @property
     def hold_seconds(self) -> float:
         """Seconds for which an end must be held, including one spare sample."""
-        held = _SLOW_HELD if self.is_slow else HELD
+        held = _SLOW_HELD_SAMPLES if self.is_slow else HELD_SAMPLES
         return max(_MIN_HOLD, (held + 1) * self.interval)
 
     # --- Problems -----------------------------------------------------------------------
@@ -292,7 +292,7 @@ class Travel:
         )
 
     def _not_held(self) -> CalibrationProblem | None:
-        ends = [way.name for way in Way if self.reached(way) and not self.held(way)]
+        ends = [way.name for way in Way if self.has_reached(way) and not self.is_held(way)]
         if not ends:
             return None
         variant = ends[0] if len(ends) == 1 else "BOTH"

@@ -54,7 +54,7 @@ class Check:
             (Way.DOWN, calibration.minimum, tr("Minimum")),
         ):
             reached = self.travel.end(way)
-            if self.travel.reached(way) and way.value * (end - reached) > 0:
+            if self.travel.has_reached(way) and way.value * (end - reached) > 0:
                 yield ProblemKind.NEVER_FULL, "", (name, text(reached))
         if self.travel.task is Task.SWITCH:
             yield from self._switching()

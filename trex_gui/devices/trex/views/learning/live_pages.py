@@ -189,14 +189,14 @@ class TravelRow(ChannelRow[LearnedChannel]):
         self.text.show_note(text, alarming=channel.is_silent)
 
     def _show_ends(self, travel: Travel) -> None:
-        reached = {way: travel.reached(way) for way in Way}
+        reached = {way: travel.has_reached(way) for way in Way}
         low, high = (travel.end(way) if reached[way] else travel.neutral for way in Way)
         marks = Calibration(low, travel.neutral, high, travel.deadband)
         self.strip.show_input(self.channel.time, travel.source, marks, self.channel.raw)
         for way, sign in self._ends.items():
-            if travel.held(way):
+            if travel.is_held(way):
                 sign.show_state(EndState.DONE)
-            elif way is travel.to_hold:
+            elif way is travel.hold_direction:
                 sign.show_state(EndState.HOLD)
             elif travel.is_enough and not reached[way]:
                 sign.show_state(EndState.NOT_NEEDED)
@@ -204,13 +204,13 @@ class TravelRow(ChannelRow[LearnedChannel]):
                 sign.show_state(EndState.OPEN)
 
     def _text(self, travel: Travel) -> str:
-        if travel.to_hold is not None:
+        if travel.hold_direction is not None:
             return tr("Hold this position …")
-        if any(travel.reached(way) and not travel.held(way) for way in Way):
+        if any(travel.has_reached(way) and not travel.is_held(way) for way in Way):
             return tr("Not held. Hold this position for {0:.1f} s.").format(
                 Number(travel.hold_seconds)
             )
-        held = [travel.source.text(travel.end(way)) for way in Way if travel.held(way)]
+        held = [travel.source.text(travel.end(way)) for way in Way if travel.is_held(way)]
         return tr("Reached: {0}.").format(", ".join(held)) if held else tr("No end reached yet.")
 
 
