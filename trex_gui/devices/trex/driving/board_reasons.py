@@ -31,7 +31,7 @@ class BoardInputs:
     by_serial: bool = True  # True if serial commands reach the motors
     joint: bool = False  # True if both drivers work as one motor
     safe_start: tuple[Reason, ...] = ()  # see `safe_start_reasons`
-    is_held: bool = False  # True if safe-start may hold the motors; the board has no flag for it
+    is_held: bool = False  # True if safe-start may hold the motors; no command reports this
     faults: tuple[int, ...] = ()  # motors whose driver recently shut down
     doubtful: tuple[int, ...] = ()  # motors in `faults` whose report may have been corrupted
     over_limit: tuple[int, ...] = ()  # motors whose current recently exceeded its limit
@@ -50,38 +50,38 @@ class BoardInputs:
         return any(reason.blocker is DriveBlocker.CHANNEL_SILENT for reason in self.safe_start)
 
 
-def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
+def board_reasons(inputs: BoardInputs) -> tuple[Reason, ...]:
     """Return all reasons why the motors do not follow serial commands, worst first."""
-    reasons = [Reason(DriveBlocker.FAULT, (motor,)) for motor in now.faults]
-    reasons += [Reason(DriveBlocker.OVER_LIMIT, (motor,)) for motor in now.over_limit]
-    if now.uart & UartError.TIMEOUT:
-        reasons.append(Reason(DriveBlocker.TIMEOUT, (now.timeout,)))
-    if now.error_shutdown and (errors := now.uart & ~UartError.TIMEOUT):
+    reasons = [Reason(DriveBlocker.FAULT, (motor,)) for motor in inputs.faults]
+    reasons += [Reason(DriveBlocker.OVER_LIMIT, (motor,)) for motor in inputs.over_limit]
+    if inputs.uart & UartError.TIMEOUT:
+        reasons.append(Reason(DriveBlocker.TIMEOUT, (inputs.timeout,)))
+    if inputs.error_shutdown and (errors := inputs.uart & ~UartError.TIMEOUT):
         reasons.append(Reason(DriveBlocker.LINE_ERROR, (tuple(bit_names(errors)),)))
-    if now.joint:
+    if inputs.joint:
         reasons.append(Reason(DriveBlocker.JOINT))
-    if now.by_serial:
-        if not now.mode.is_serial:
+    if inputs.by_serial:
+        if not inputs.mode.is_serial:
             reasons.append(Reason(DriveBlocker.OVERRIDE))
-    elif now.mode.is_serial:
+    elif inputs.mode.is_serial:
         reasons.append(Reason(DriveBlocker.NOT_SERIAL))
     else:
-        is_rc = now.mode is Mode.RC
+        is_rc = inputs.mode is Mode.RC
         reasons.append(Reason(DriveBlocker.RC_CHANNELS if is_rc else DriveBlocker.ANALOG_CHANNELS))
-        reasons += held_by_safe_start(now)
+        reasons += held_by_safe_start(inputs)
     return worst_first(reasons)
 
 
-def held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
+def held_by_safe_start(inputs: BoardInputs) -> tuple[Reason, ...]:
     """Return the reasons why safe-start may hold the motors.
 
     Call this only while channels control the motors.
     """
-    # Inferred: OVERRIDE_AT_START is certain.
+    # Each of these reasons certainly holds the motors. Inferred for OVERRIDE_AT_START.
     certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}
-    if not now.is_held and not any(reason.blocker in certain for reason in now.safe_start):
+    if not inputs.is_held and not any(reason.blocker in certain for reason in inputs.safe_start):
         return ()
-    return now.safe_start or (Reason(DriveBlocker.SAFE_START),)
+    return inputs.safe_start or (Reason(DriveBlocker.SAFE_START),)
 
 
 def safe_start_reasons(
@@ -136,7 +136,7 @@ def _near_limit(curve: ChannelCurve, *, is_above: bool) -> int:
 
 # --- LEDs -------------------------------------------------------------------------------
 
-PACKETS = "with packets"  # lit during each packet; the simulator reports on or off
+PACKETS = "with packets"  # lit during each packet; the simulator reports "on" or "off" instead
 
 SAFE_START_FLASH = "fast flash"
 
@@ -153,7 +153,7 @@ SAFE_START_NOTE = tr_noop("If the green LED is steady instead, safe-start is ove
 """Note for `SAFE_START_FLASH`. Safe-start is inferred, since no command reports it."""
 
 
-def led_patterns(now: BoardInputs) -> tuple[str, str]:
+def led_patterns(inputs: BoardInputs) -> tuple[str, str]:
     """Return the patterns of the red and the green LED.
 
     Ref: TReX Jr User's Guide 4.e: a fast green flash shows safe-start. Manuals: the red LED is on
@@ -161,6 +161,6 @@ def led_patterns(now: BoardInputs) -> tuple[str, str]:
     the first to the last byte of a packet. Inferred: the red LED also shows packets during
     safe-start.
     """
-    if now.by_serial:
+    if inputs.by_serial:
         return "on", PACKETS
-    return PACKETS, SAFE_START_FLASH if held_by_safe_start(now) else "on"
+    return PACKETS, SAFE_START_FLASH if held_by_safe_start(inputs) else "on"

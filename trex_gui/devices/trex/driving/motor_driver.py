@@ -45,9 +45,9 @@ it misses entirely. So it can miss one round, but not the round after its reply.
 _CAREFUL_ROUNDS = 8
 """Consecutive clean rounds that confirm a stop on a line that damages bytes.
 
-They apply to a stop that cannot wait for a quiet line. Undetected damage may still turn the last
-packet into a speed. The probability is 2p/9 * (1 - p)**56 for a damage probability p per byte, at
-most 0.14 %. See `LineQuality` for a stronger confirmation.
+They are required for a stop that cannot wait for a quiet line. Undetected damage may still turn the
+last packet into a speed. The probability is 2p/9 * (1 - p)**56 for a damage probability p per byte,
+at most 0.14 %. See `LineQuality` for a stronger confirmation.
 """
 
 # Limits of the stop before the port is closed. The window waits one second for this stop.
@@ -122,7 +122,7 @@ class MotorDriver:
             run.was_sent = True
 
     def check_stop(self, run: StopRun) -> bool:
-        """Read the status after a stop. Return whether the stop is over."""
+        """Read the status after a stop. Return True if the stop is over."""
         run.clean += 1
         try:
             if not run.was_sent:
@@ -144,12 +144,12 @@ class MotorDriver:
     def finish_stop(self, run: StopRun) -> None:
         confirmed = run.is_confirmed
         self._on_statuses(run.latched)
-        self._is_quiet()
+        self._observe_line()
         self.output.record_stop(self._now(), run.latched, confirmed=confirmed, final=run.is_final)
         run.end(confirmed)
 
     def stop_and_confirm(self, *, careful: bool = False) -> bool:
-        """Run a final stop. Return whether the board has confirmed it."""
+        """Run a final stop. Return True if the board has confirmed it."""
         run = self.final_stop(careful=careful)
         stop_together([run])
         return run.is_confirmed
@@ -163,7 +163,7 @@ class MotorDriver:
 
     def takeover_stop(self) -> StopRun:
         """Return the stop for a line that the guardian has used."""
-        self._is_quiet()
+        self._observe_line()
         self.output.quality.is_shared = False
         return self.final_stop()
 
@@ -234,7 +234,7 @@ class MotorDriver:
         self.output.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
 
     def serve(self) -> bool:
-        """Send due setpoints, retries or refreshes. Return whether anything was due.
+        """Send due setpoints, retries or refreshes. Return True if anything was due.
 
         Raises:
             NoReply, BadReply: the echo of a setpoint is missing or corrupted. The setpoint is
@@ -266,7 +266,7 @@ class MotorDriver:
         )
 
     def seconds_to_drive(self) -> float:
-        self._is_quiet()
+        self._observe_line()
         return self.output.seconds_to_drive(self._now(), self._interval)
 
     @property
@@ -320,8 +320,11 @@ class MotorDriver:
         self.output.restart.clear()
         self.output.handle(OutputEvent.DIRECT_COMMAND_SENT, self._now())
 
-    def _is_quiet(self) -> bool:
+    def _observe_line(self) -> None:
         self.output.quality.observe(self.client.counters, has_crc=self.client.has_crc)
+
+    def _is_quiet(self) -> bool:
+        self._observe_line()
         return self.output.quality.is_quiet
 
     def _now(self) -> float:
@@ -329,12 +332,11 @@ class MotorDriver:
 
 
 def stop_together(
-    runs: Sequence[StopRun], due: Callable[[], Sequence[StopRun]] = tuple
-) -> list[StopRun]:
-    """Stop boards on one line. Return all stops, including the stops from `due`.
+    runs: Sequence[StopRun], newly_due: Callable[[], Sequence[StopRun]] = tuple
+) -> None:
+    """Stop boards on one line. In each round, all stops are sent before a status is read.
 
-    In each round, all stops are sent before a status is read. `due`: returns stops of other boards
-    that have become due.
+    `newly_due` returns the stops of other boards that have become due since its last call.
     """
     unfinished, all_runs = list(runs), list(runs)
     try:
@@ -342,13 +344,12 @@ def stop_together(
             for run in unfinished:
                 run.driver.send_stop(run)
             unfinished = [run for run in unfinished if not run.driver.check_stop(run)]
-            due_runs = due()
-            unfinished += due_runs
-            all_runs += due_runs
+            added = newly_due()
+            unfinished += added
+            all_runs += added
     except Exception:
         for run in all_runs:
             run.driver.output.put_back(run.stops)
         raise
     for run in all_runs:
         run.driver.finish_stop(run)
-    return all_runs

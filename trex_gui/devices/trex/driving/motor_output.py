@@ -1,7 +1,7 @@
 """State machine of the motor output.
 
 It does no I/O. `motor_driver` sends the packets. `now` is the time in seconds on the line's clock.
-`Arming` and `Motion` change independently. Each has its own transition table.
+`Arming` and `Motion` change independently, with separate transition tables.
 """
 
 import math

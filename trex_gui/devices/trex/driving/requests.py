@@ -77,7 +77,7 @@ class MotorsStopped:
 
     reason: ErrorCode | None  # reason for the stop; `None` for a late confirmation
     confirmed: bool  # True if a status of the board confirmed the stop
-    board: int | None = None  # number of the board that caused the stop, if several are driven
+    board: int | None = None  # number of the board that caused the stop of a group
 
 
 Setpoint = SetMotor | SetAuxiliary

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.driving.requests import SetMotor, Setpoint, is_idle
 from trex_gui.devices.trex.driving.setpoints import LineQuality
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
-_DRAWING_COUNTS = 3  # reading that confirms a current; inferred: an unloaded motor draws more
+_DRAWING_COUNTS = 3  # minimum to confirm a current; inferred: an unloaded motor draws more
 _SETTLING_SECONDS = 0.1  # time until the current follows a new setpoint
 
 # Seconds without a current that indicate a restart. The motors of a robot that rolls downhill
@@ -28,7 +28,7 @@ class RestartWatch:
 
     def __init__(self, quality: LineQuality) -> None:
         self._quality = quality
-        self._running: dict[int, tuple[SetMotor, float]] = {}  # motor → setpoint, settling time
+        self._running: dict[int, tuple[SetMotor, float]] = {}  # motor → setpoint, when settled
         self._drawing: set[int] = set()  # motors that drew a current
         self.clear()
 

@@ -142,7 +142,7 @@ class LineQuality:
     """
 
     def __init__(self) -> None:
-        self.answers = 0  # complete replies since the line was opened
+        self.replies = 0  # complete replies since the line was opened
         self.is_shared = False  # True while another process uses the line: failures do not count
         self._has_crc = False
         self._is_observed = False
@@ -150,7 +150,7 @@ class LineQuality:
         self._damaged_at: int | None = None
 
     def observe(self, counters: Counters, *, has_crc: bool) -> None:
-        self.answers = counters.replies
+        self.replies = counters.replies
         self._has_crc = has_crc
         self._is_observed = True
         failures = counters.missing + counters.corrupted + counters.unsolicited
@@ -171,11 +171,11 @@ class LineQuality:
     def is_quiet_for(self, replies: int) -> bool:
         if self._has_crc or self._damaged_at is None:
             return True
-        return self.answers - self._damaged_at >= replies
+        return self.replies - self._damaged_at >= replies
 
     def _record_damage(self) -> None:
         if not self.is_shared:
-            self._damaged_at = self.answers
+            self._damaged_at = self.replies
 
 
 class SetpointRefresh:
@@ -197,7 +197,7 @@ class SetpointRefresh:
         self.clear = self._setpoints.clear  # motors without a setpoint count as braked
         self.holds_speeds = False  # True after the board has stopped motors, until a clean status
         self._auxiliary_at_risk = False
-        self._answers_since: int | None = None  # `LineQuality.answers` when the line became quiet
+        self._quiet_since: int | None = None  # `LineQuality.replies` when the line became quiet
         self._sent_at = 0.0
 
     def record_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
@@ -271,10 +271,10 @@ class SetpointRefresh:
 
     def _record_auxiliary_risk(self) -> None:
         self._auxiliary_at_risk = True
-        self._answers_since = None
+        self._quiet_since = None
 
     def _watch_auxiliary(self) -> None:
-        if self._answers_since is None:
-            self._answers_since = self._quality.answers
-        if self._quality.answers - self._answers_since >= QUIET:
+        if self._quiet_since is None:
+            self._quiet_since = self._quality.replies
+        if self._quality.replies - self._quiet_since >= QUIET:
             self._auxiliary_at_risk = False

@@ -1,9 +1,9 @@
 """Automatic stop by a board whose line falls silent.
 
-Ref: command document: the serial timeout (0x07) stops the motors. Guide of the twin, qik 2s12v10,
-5.a: it does so only with shutdown on serial errors. The behaviour of the TReX is unknown, so
-UART-Error Shutdown (0x08) counts as necessary until the user has pulled the cable of a driven
-board.
+Ref: the command documentation says that the serial timeout (0x07) stops the motors. The guide of
+the twin (qik 2s12v10, 5.a) says that this requires shutdown on serial errors. The behaviour of the
+TReX is unknown, so UART-Error Shutdown (0x08) counts as necessary until the user has pulled the
+cable of a driven board.
 """
 
 from collections.abc import Collection, Mapping

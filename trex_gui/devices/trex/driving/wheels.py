@@ -25,7 +25,8 @@ class Wheel:
     side: int  # LEFT or RIGHT
     is_reversed: bool = False  # True if the motor runs backward to move the robot forward
 
-    def turned(self, drive: Drive | None) -> Drive | None:
+    def motor_drive(self, drive: Drive | None) -> Drive | None:
+        """Return the setpoint of the motor for a setpoint of its side."""
         if drive is None or drive.is_brake or not self.is_reversed:
             return drive
         return Drive.at(-drive.signed)
@@ -60,7 +61,7 @@ def setpoints_of(
         setpoint = by_side.get(wheel.side)
         if setpoint is None or isinstance(setpoint, SetAuxiliary):
             continue
-        drive = wheel.turned(setpoint.drive) or setpoint.drive
+        drive = wheel.motor_drive(setpoint.drive) or setpoint.drive
         motor = replace(setpoint, motor=wheel.motor, drive=drive)
         by_board.setdefault(wheel.board, []).append(motor)
     return {

@@ -184,7 +184,7 @@ class Device(QObject):
         if not self.wheels:
             return self.main.motors.drive(motor)
         wheel = self.wheels.get(motor)
-        return None if wheel is None else wheel.turned(self.main.motors.drive(wheel.side))
+        return None if wheel is None else wheel.motor_drive(self.main.motors.drive(wheel.side))
 
     def current_limit(self, motor: int) -> float | None:
         """Return the stored limit in A. `None` if off or unknown."""
