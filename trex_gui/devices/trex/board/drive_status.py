@@ -65,28 +65,28 @@ class MotorSetpoint:
 AUXILIARY = 3  # motor of channel 3
 
 
-def motor_setpoint(motor: int, now: DriveInputs, newest: Newest, sent: int) -> MotorSetpoint:
+def motor_setpoint(motor: int, inputs: DriveInputs, newest: Newest, sent: int) -> MotorSetpoint:
     """Return the setpoint of a motor: 1, 2 or `AUXILIARY`.
 
     `sent` is the speed in serial commands, -127 to 127.
     """
-    source, speed, board = SetpointSource.UNKNOWN, 0, now.board
+    source, speed, board = SetpointSource.UNKNOWN, 0, inputs.board
     remapped = newest.get(Remapped)
-    if now.link is not None or board is None:
+    if inputs.link is not None or board is None:
         pass
     elif board.joint and motor == 2:
         source = SetpointSource.JOINT
-    elif board.by_serial and now.other_driver:
-        source, speed = SetpointSource.OTHER_DRIVER, now.other_speeds[motor - 1]
+    elif board.by_serial and inputs.other_driver:
+        source, speed = SetpointSource.OTHER_DRIVER, inputs.other_speeds[motor - 1]
     elif board.by_serial:
-        source = SetpointSource.SERIAL if now.armed else SetpointSource.NOT_ARMED
-        speed = sent if now.armed else 0
+        source = SetpointSource.SERIAL if inputs.armed else SetpointSource.NOT_ARMED
+        speed = sent if inputs.armed else 0
     elif remapped is not None and held_by_safe_start(board):
         source = SetpointSource.SAFE_START
     elif remapped is not None:
         source, speed = SetpointSource.CHANNEL, remapped.values[motor - 1]
     return MotorSetpoint(
-        source, abs(speed) if motor == AUXILIARY else speed, now.may_move and not now.armed
+        source, abs(speed) if motor == AUXILIARY else speed, inputs.may_move and not inputs.armed
     )
 
 
@@ -94,37 +94,38 @@ _DOUBTFUL = tr_noop("{0} Doubtful: the line is noisy and has no CRC.")
 _SILENT_WHILE_DRIVEN = tr_noop("The board does not respond; the stop is being repeated.")
 
 
-def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
+def drive_statuses(inputs: DriveInputs) -> tuple[DriveStatus, ...]:
     """Return the reasons for the state of the motors, most severe first."""
-    if now.link is DriveBlocker.NO_BOARD and (now.may_move or now.lost_board):
-        return (_lost(now),)
-    if now.link is DriveBlocker.SILENT:
-        return (_silent(now),)
-    if now.link is not None or now.board is None:
-        return (_status(Reason(now.link or DriveBlocker.UNKNOWN)),)
-    reasons = [*board_reasons(now.board), *_program_reasons(now, by_serial=now.board.by_serial)]
-    return tuple(_status(reason, now.board) for reason in worst_first(reasons))
+    if inputs.link is DriveBlocker.NO_BOARD and (inputs.may_move or inputs.lost_board):
+        return (_lost(inputs),)
+    if inputs.link is DriveBlocker.SILENT:
+        return (_silent(inputs),)
+    board = inputs.board
+    if inputs.link is not None or board is None:
+        return (_status(Reason(inputs.link or DriveBlocker.UNKNOWN)),)
+    reasons = [*board_reasons(board), *_program_reasons(inputs, by_serial=board.by_serial)]
+    return tuple(_status(reason, board) for reason in worst_first(reasons))
 
 
-def _program_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
-    if now.armed:
+def _program_reasons(inputs: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
+    if inputs.armed:
         yield Reason(DriveBlocker.RUNNING)
-    elif now.may_move:
+    elif inputs.may_move:
         yield Reason(DriveBlocker.STOPPING)
     elif not by_serial:
         return
-    elif now.locked_for:
-        yield Reason(DriveBlocker.LOCKED, (ceil(now.locked_for),))
-    elif now.other_driver:
-        yield Reason(DriveBlocker.OTHER_DRIVES, (now.other_driver,))
-    elif now.reaches_several:
+    elif inputs.locked_for:
+        yield Reason(DriveBlocker.LOCKED, (ceil(inputs.locked_for),))
+    elif inputs.other_driver:
+        yield Reason(DriveBlocker.OTHER_DRIVES, (inputs.other_driver,))
+    elif inputs.reaches_several:
         yield Reason(DriveBlocker.SEVERAL_BOARDS)
-    elif now.undrivable is not None:
-        yield Reason(DriveBlocker.GROUP, (now.undrivable,))
-    elif not now.is_available:
+    elif inputs.undrivable is not None:
+        yield Reason(DriveBlocker.GROUP, (inputs.undrivable,))
+    elif not inputs.is_available:
         yield Reason(DriveBlocker.NOT_ALLOWED)
-    elif now.stop_reason:
-        yield Reason(DriveBlocker.STOPPED, (now.stop_reason,))
+    elif inputs.stop_reason:
+        yield Reason(DriveBlocker.STOPPED, (inputs.stop_reason,))
     else:
         yield Reason(DriveBlocker.NOT_ARMED)
 
@@ -136,14 +137,14 @@ def _status(reason: Reason, board: BoardInputs | None = None) -> DriveStatus:
     return DriveStatus(reason.blocker, text, reason.remedy())
 
 
-def _lost(now: DriveInputs) -> DriveStatus:
-    if not now.may_move:
-        return DriveStatus(DriveBlocker.LOST, now.lost_board)
-    return DriveStatus(DriveBlocker.LOST, turning_text(now.driven), now.silence_remedy)
+def _lost(inputs: DriveInputs) -> DriveStatus:
+    if not inputs.may_move:
+        return DriveStatus(DriveBlocker.LOST, inputs.lost_board)
+    return DriveStatus(DriveBlocker.LOST, turning_text(inputs.driven), inputs.silence_remedy)
 
 
-def _silent(now: DriveInputs) -> DriveStatus:
-    if not now.may_move:
+def _silent(inputs: DriveInputs) -> DriveStatus:
+    if not inputs.may_move:
         return _status(Reason(DriveBlocker.SILENT))
-    remedy = f"{now.silence_remedy} {tr(_SILENT_WHILE_DRIVEN)}"
-    return DriveStatus(DriveBlocker.SILENT, turning_text(now.driven), remedy)
+    remedy = f"{inputs.silence_remedy} {tr(_SILENT_WHILE_DRIVEN)}"
+    return DriveStatus(DriveBlocker.SILENT, turning_text(inputs.driven), remedy)

@@ -78,7 +78,7 @@ UNSEEN = (
 )
 
 # The status is read ten times a second. Each reading reports all persistent errors.
-ACTIVE_FOR = 1.0  # seconds after the last report
+ACTIVE_FOR = 1.0  # seconds after its last report for which an error counts as active
 
 
 def is_latched(bit: Status | UartError, latched: LatchedStatus) -> bool:
@@ -119,9 +119,9 @@ class ErrorCounts:
         return now - entry.seen_at < ACTIVE_FOR
 
     def recent(self, motor: int, now: float) -> list[ErrorEntry]:
-        """Return the errors of a motor in the last three seconds.
+        """Return the errors of a motor from the last three seconds.
 
-        UART errors count for both motors, because they may stop both.
+        UART errors count for both motors, because they may stop both motors.
         """
         of_motor = MOTOR_FAULTS[motor] | OVER_LIMITS[motor]
         return [

@@ -42,7 +42,7 @@ def read_record(board: BoardIdentity, warn: Notify) -> BoardRecord | None:
 
 
 class Keeper:
-    """Snapshots, record and accepted values of a board. Its files are read when first needed."""
+    """Snapshots, record and accepted values of a board. The files are read when first needed."""
 
     def __init__(self, inform: Notify, warn: Notify) -> None:
         """`inform` receives messages about saved files. `warn` receives messages about failures."""
@@ -89,7 +89,7 @@ class Keeper:
         parameters: Sequence[tuple[str, int]],
         calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
         *,
-        progress: Progress = lambda _done, _total, _what: None,
+        progress: Progress = lambda _done, _total, _next: None,
         cancelled: Callable[[], bool] = lambda: False,
     ) -> tuple[WriteResult, ...]:
         """Save a snapshot, write, and record the applied values. See `write_all`.
@@ -185,11 +185,11 @@ class Keeper:
         pass
 
     @contextmanager
-    def _saving(self, what: str) -> Iterator[None]:
+    def _saving(self, values: str) -> Iterator[None]:
         """Warn once if files cannot be saved. The write to the board continues."""
         try:
             yield
         except SettingsError as error:
             if not self._is_failing:
-                self._warn(f"{what} were not saved. {error}")
+                self._warn(f"{values} were not saved. {error}")
             self._is_failing = True

@@ -123,7 +123,7 @@ class BoardMemory:
         is_simulated: bool = False,
         adapter: str = "",
     ) -> None:
-        """Set the board that was read. If it is new or newly opened, find its record.
+        """Set the board that was read. If the board is new or newly opened, find its record.
 
         `adapter` is the key of the board's adapter. It is empty if unknown.
         """

@@ -83,7 +83,7 @@ class MotorsShutDown:
 class DriveLost:
     """The board no longer follows motor commands: a motor has a fault, or channels are in control.
 
-    One reply is enough. If it was corrupted, the motors only stop needlessly.
+    One such reply is enough. If the reply was corrupted, the motors only stop needlessly.
     """
 
     reason: str  # a sentence
@@ -110,8 +110,8 @@ class SafeStart:
     """Estimate of safe-start, for which the board has no flag.
 
     Safe-start begins at power-up and when a required channel loses its signal. It ends when all
-    driving channels are near neutral at once. Ref: TReX Jr User's Guide 4.e. Inferred: the distance
-    from neutral, and that a current shows the end of safe-start.
+    driving channels are near neutral at once. Ref: TReX Jr User's Guide 4.e. Inferred: the limit of
+    "near neutral", and the end of safe-start as soon as a motor draws current.
     """
 
     def __init__(self) -> None:

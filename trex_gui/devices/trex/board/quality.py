@@ -12,7 +12,7 @@ from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS
 _MINIMUM_SECONDS = 10.0  # minimum length of a measurement
 
 # Minimum number of transactions in a measurement. They take 3 s at 19200 baud. A board counts as
-# silent after three failures, which are a smaller fraction of this number than `_NOISY`.
+# silent after three failures. These are a smaller fraction of this number than `_NOISY`.
 _MINIMUM_TRANSACTIONS = 500
 
 _INTERVAL = 2.0  # minimum seconds between two results, so that the text remains readable
@@ -30,7 +30,7 @@ _DOUBTFUL_FOR = 5.0  # seconds after a failure during which replies without CRC 
 
 @dataclass(frozen=True, slots=True)
 class _Mark:
-    """Counters at one time."""
+    """Counters at one moment."""
 
     time: float
     requests: int
@@ -49,14 +49,14 @@ class ConnectionQuality:
         self._failed_at = -math.inf
 
     def reset(self) -> bool:
-        """Clear the measurement. Return whether it had a result."""
+        """Clear the measurement. Return True if it had a result."""
         changed = self.is_noisy is not None
         self.is_noisy, self.lost, self.seconds, self.rate = None, 0.0, 0.0, 0.0
         self._marks.clear()
         return changed
 
     def update(self, time: float, counters: Counters) -> bool:
-        """Update the measurement. Return whether the result changed.
+        """Update the measurement. Return True if the result changed.
 
         `time` is on the session's clock, in seconds.
         """
@@ -85,7 +85,7 @@ class ConnectionQuality:
         return (self.is_noisy, round(self.lost, 3)) != before
 
     def has_failed_lately(self, time: float, counters: Counters) -> bool:
-        """Return whether recent readings may be corrupted. `time` is in seconds."""
+        """Record new failures. Return True if recent readings may be corrupted. `time` is in s."""
         failures = counters.missing + counters.corrupted
         if failures > self._failures:
             self._failed_at = time
