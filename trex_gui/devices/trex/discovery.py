@@ -12,7 +12,12 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import agreed, board_at, read_signature, several_reply
+from trex_gui.devices.trex.client.reading import (
+    board_at,
+    read_reliably,
+    read_signature,
+    several_reply,
+)
 from trex_gui.devices.trex.probe import Attempt, ReplyKind, checksum, send_probe
 from trex_gui.devices.trex.protocol.commands import GetParameter, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -29,7 +34,7 @@ _LAST_PROBES = 5
 The other likely settings are probed once more. On a silent line, all these probes take two seconds.
 """
 
-NUMBERS = 128  # device numbers are 0 to 127
+NUMBERS = 128  # size of the range of device numbers, 0 to 127
 
 _QIK = frozenset({b"1", b"2"})
 """Replies of a Pololu qik to 81, which requests its firmware version.
@@ -43,7 +48,8 @@ _MAX_QUOTED = 12  # bytes of an unknown reply in a message
 def attempts(*, full: bool = False) -> Iterator[Attempt]:
     """Yield every probe, likely settings first.
 
-    `full` adds all other CRC-7 polynomials. They take some minutes. `UNSAFE` probes are omitted.
+    `full` adds all other CRC-7 polynomials, which takes some minutes. Probes in `probe.UNSAFE` are
+    omitted.
     """
     rates = [*_LIKELY_RATES, *sorted({*baud_rates()} - {*_LIKELY_RATES}, reverse=True)]
     for stop_bits in (1, 2):
@@ -100,7 +106,7 @@ def boards_by_number(
 
 
 class TrexProber:
-    """Prober for one line. `found` contains several boards if they share the line."""
+    """Prober for one line. `found` contains more than one board if they share the line."""
 
     def __init__(
         self,
@@ -118,13 +124,13 @@ class TrexProber:
         self.found: list[FoundBoard] = []
         self._settings = ConnectionSettings.on(settings)
         self._full = full
-        self.echo = False  # whether sent bytes are echoed
+        self.echo = False  # True if sent bytes are echoed
         self._strange: list[tuple[SerialFormat, bytes]] = []  # line settings and unknown data
         self._is_loader = False
-        self._several: LineSettings | None = None  # settings at which several boards reply
+        self._several: LineSettings | None = None  # settings at which boards reply at once
         self._skipped: list[LineSettings] = []  # settings that the port does not support
-        self._probes_numbers = not plans  # whether to probe device numbers if several boards reply
-        self._is_fixed = False  # whether the other end sets the rate and allows only one probe
+        self._probes_numbers = not plans  # True to probe device numbers if boards reply at once
+        self._is_rate_fixed = False  # True if the other end sets the rate and allows one probe only
         plan = list(attempts(full=full))
         likely = plan[: len(_LIKELY_RATES)]
         last_probes = likely + likely[:1] * (_LAST_PROBES - 1)
@@ -151,7 +157,7 @@ class TrexProber:
         plan = list(self._plans[part])
         if not wire.is_configurable:
             # A flush byte at the same rate cannot separate probes, so only one probe is sent.
-            self._is_fixed = True
+            self._is_rate_fixed = True
             plan = plan[:1] if part == 0 else []
         for done, attempt in enumerate(plan):
             if cancelled():
@@ -204,7 +210,7 @@ class TrexProber:
             try:
                 signature = read_signature(client.request, has_crc=client.has_crc)
                 stored_number, stored = (
-                    agreed(
+                    read_reliably(
                         client.request, GetParameter(parameter_number(key)), has_crc=client.has_crc
                     )
                     for key in (ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS)
@@ -225,7 +231,7 @@ class TrexProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Probe each device number. If several boards reply, they replace the found board."""
+        """Probe each device number. If more than one board replies, the list replaces `found`."""
         polynomial = (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         if self.found:
             polynomial = self.found[0].settings.polynomial
@@ -279,7 +285,7 @@ class TrexProber:
                 "nothing else arrives. Either this is the RS-232 side of a board that is "
                 "off, or the adapter's TX and RX are joined."
             ).format(url)
-        if self._is_fixed:
+        if self._is_rate_fixed:
             return Evidence.SILENCE, tr(
                 "No TReX responds on {0}. The baud rate is set at the other end of the "
                 "network, so only that rate could be tried, without parity and without CRC."

@@ -136,7 +136,7 @@ def test_board_is_compared_again_after_the_last_write() -> None:
             _exchange(harness, Board("trexjr"))
 
     with pytest.raises(OtherBoard) as caught:
-        write_all(client.request, SPECS, CHANGES, before=before, stored=record)
+        write_all(client.request, SPECS, CHANGES, before=before, on_stored=record)
     assert caught.value.code is ErrorCode.OTHER_BOARD_AFTER_WRITING
 
 

@@ -9,7 +9,7 @@ from tests.devices.trex.session.helpers import commands, create_harness, fake_re
 from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.client import Requester, TrexClient
-from trex_gui.devices.trex.client.reading import DeviceState, agreed, query, read_everything
+from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything, read_reliably
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, GetParameter, ReplyT_co
 from trex_gui.devices.trex.protocol.errors import is_unsteady
@@ -98,13 +98,13 @@ def test_value_counts_when_two_readings_in_a_row_agree(
     harness: SessionHarness, readings: list[int], value: int
 ) -> None:
     request = fake_requester(harness, GetParameter, readings)
-    assert agreed(request, _GET_TIMEOUT) == value
+    assert read_reliably(request, _GET_TIMEOUT) == value
 
 
 def test_readings_that_never_agree_are_an_error(harness: SessionHarness) -> None:
     request = fake_requester(harness, GetParameter, [5, 9, 5, 9, 9])
     with pytest.raises(BadReply, match="replies to 9F 07 differ each time") as caught:
-        agreed(request, _GET_TIMEOUT)
+        read_reliably(request, _GET_TIMEOUT)
     assert is_unsteady(caught.value)
 
 
@@ -137,7 +137,9 @@ def test_corrupted_reply_is_read_again() -> None:
         assert harness.line.faults.counters["corrupted"] == 1
 
 
-@pytest.mark.parametrize("read", [read_everything, lambda request: agreed(request, _GET_TIMEOUT)])
+@pytest.mark.parametrize(
+    "read", [read_everything, lambda request: read_reliably(request, _GET_TIMEOUT)]
+)
 def test_request_corrupted_into_other_request_changes_no_value(
     harness: SessionHarness, read: Callable[[Requester], DeviceState | int]
 ) -> None:

@@ -190,7 +190,7 @@ def test_wrong_read_back_of_value_is_reported_and_stored(harness: SessionHarness
         harness.board.eeprom.write("serial_timeout", 7)
         return reply
 
-    (result,) = write_all(overwrite, SPECS, [(TIMEOUT.key, 15)], stored=stored.append)
+    (result,) = write_all(overwrite, SPECS, [(TIMEOUT.key, 15)], on_stored=stored.append)
     assert isinstance(result.error, BadReply)
     assert re.search(r"could not be verified: wrote 1\.5 s.*reads back 0\.7 s", str(result.error))
     assert stored == [WriteResult(TIMEOUT.key, 7)]
@@ -487,7 +487,7 @@ def test_stray_write_is_restored_when_apply_is_cancelled(harness: SessionHarness
         [(FIRST.key, 3), (SECOND.key, 9)],
         before=before,
         cancelled=lambda: bool(stored),
-        stored=stored.append,
+        on_stored=stored.append,
     )
     assert first == WriteResult(FIRST.key, 3)
     assert isinstance(second.error, Skipped)

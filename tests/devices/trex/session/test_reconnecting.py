@@ -418,7 +418,7 @@ def test_reply_between_failures_resets_their_count() -> None:
         assert not liveness.record_failure(1.0)
         assert not liveness.record_failure(1.1)
         liveness.record_reply(Raw)
-    assert not liveness.silent
+    assert not liveness.is_silent
 
 
 def test_repeated_failure_of_safety_topic_counts_as_silence() -> None:
@@ -427,17 +427,17 @@ def test_repeated_failure_of_safety_topic_counts_as_silence() -> None:
         for _ in range(3):
             liveness.record_failure(1.0, topic)
             liveness.record_reply(Currents)
-        assert liveness.silent is silent
+        assert liveness.is_silent is silent
     liveness = LivenessMonitor(Timeouts())
     for _ in range(9):
         liveness.record_failure(1.0, ModeSample)
         liveness.record_reply(ModeSample)
-    assert not liveness.silent
+    assert not liveness.is_silent
 
 
 def test_third_failure_is_reported_as_silence_once() -> None:
     liveness = silent_monitor(7.0)
-    assert liveness.silent
+    assert liveness.is_silent
     assert liveness.retry_at == 7.0 + Timeouts().retry
     assert not liveness.record_failure(8.0)
 
@@ -445,7 +445,7 @@ def test_third_failure_is_reported_as_silence_once() -> None:
 def test_reread_board_counts_as_responding() -> None:
     liveness = silent_monitor(7.0)
     liveness.start()
-    assert not liveness.silent
+    assert not liveness.is_silent
     assert not liveness.record_failure(8.0)
 
 
@@ -453,11 +453,11 @@ def test_candidates_are_scanned_only_during_silence() -> None:
     harness, settings = create_harness()
     client = harness.client(settings)
     responding = LivenessMonitor(Timeouts())
-    responding.expect(CANDIDATES)
+    responding.set_candidates(CANDIDATES)
     assert not responding.is_scanning(client)
     liveness = silent_monitor(0.0)
     assert not liveness.is_scanning(client)
-    liveness.expect(CANDIDATES)
+    liveness.set_candidates(CANDIDATES)
     assert liveness.is_scanning(client)
     harness.transport.is_configurable = False
     assert not liveness.is_scanning(client)
@@ -468,9 +468,9 @@ def test_scan_continues_until_board_is_read() -> None:
     client = harness.client(settings)
     liveness = silent_monitor(0.0)
     harness.board.power_off()
-    liveness.expect(CANDIDATES)
+    liveness.set_candidates(CANDIDATES)
     assert liveness.probe_next(client) is None
-    liveness.expect(())
+    liveness.set_candidates(())
     assert liveness.is_scanning(client)
     liveness.start()
     assert not liveness.is_scanning(client)

@@ -26,7 +26,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import agreed, read_signature, several_reply
+from trex_gui.devices.trex.client.reading import read_reliably, read_signature, several_reply
 from trex_gui.devices.trex.diagnosis import diagnose
 from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
@@ -269,7 +269,7 @@ def identify(client: TrexClient, *, quick: bool = False) -> Signature:
 def _only_board(client: TrexClient) -> Signature:
     signature = read_signature(client.request, has_crc=client.has_crc)
     command = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
-    number = agreed(client.request, command, has_crc=client.has_crc)
+    number = read_reliably(client.request, command, has_crc=client.has_crc)
     if several_reply(client, number):
         texts = client.settings.label, client.settings.line.text()
         raise TrexBadReplyError(ErrorCode.SEVERAL_BOARDS, *texts)
@@ -284,7 +284,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
     client = TrexClient(*open_port(settings))
     try:
         client.detect_echo()
-        signature = agreed(client.request, GetSignature(), has_crc=client.has_crc)
+        signature = read_reliably(client.request, GetSignature(), has_crc=client.has_crc)
     except NoReply:
         return PortAnswer("echo only" if client.echo else "no reply")
     except BadReply as error:

@@ -33,7 +33,7 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.discovery import NUMBERS
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Skipped
-from trex_gui.devices.trex.session.reconnecting import REACH
+from trex_gui.devices.trex.session.reconnecting import LINK_KEYS
 from trex_gui.devices.trex.settings.comparison import (
     ComparisonRow,
     compare,
@@ -107,7 +107,7 @@ def set_settings(
             if rows:
                 _write(client, base, state, command, rows)
         return
-    target = target.without(REACH)
+    target = target.without(LINK_KEYS)
     work = []
     for number in devices:
         say(f"Device {number}:")

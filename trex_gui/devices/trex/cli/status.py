@@ -30,7 +30,7 @@ from trex_gui.devices.trex.cli.common import (
     specs_of,
 )
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import DeviceState, agreed, query, read_everything
+from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything, read_reliably
 from trex_gui.devices.trex.client.telemetry import (
     Currents,
     LatchedStatus,
@@ -160,7 +160,7 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
     with open_line(link_settings(options)) as client:
         board = identify(client)
         spec = parameters_of(board.model.key, board.firmware)[name]
-        wire = agreed(client.request, GetParameter(spec.number), has_crc=client.has_crc)
+        wire = read_reliably(client.request, GetParameter(spec.number), has_crc=client.has_crc)
     if as_json:
         click.echo(json.dumps({"name": spec.key, "value": wire, "text": spec.text(wire)}))
     else:

@@ -18,7 +18,7 @@ from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import agreed
+from trex_gui.devices.trex.client.reading import read_reliably
 from trex_gui.devices.trex.client.telemetry import ModeSample, StatusReader, poll
 from trex_gui.devices.trex.protocol.commands import GetMode
 from trex_gui.devices.trex.recording import MeasurementTable, Row
@@ -91,7 +91,7 @@ def stream(
     settings = link_settings(options)
     with open_line(settings) as client, Interruption() as interrupted:
         unit = identify(client).model.current_unit
-        mode = agreed(client.request, GetMode(), has_crc=client.has_crc)
+        mode = read_reliably(client.request, GetMode(), has_crc=client.has_crc)
         table = MeasurementTable(mode, unit)
         with _target(file) as target:  # opened last, so a missing board changes no file
             out = csv.DictWriter(target, list(table.row), lineterminator="\n", delimiter=separator)

@@ -17,14 +17,14 @@ from trex_gui.core.texts import hex_text
 from trex_gui.devices.trex.cli.changes import keeper_of, read_board, require_serial_mode
 from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import ATTEMPTS, agreed, query
+from trex_gui.devices.trex.client.reading import ATTEMPTS, query, read_reliably
 from trex_gui.devices.trex.protocol import commands as c
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
 from trex_gui.devices.trex.protocol.errors import Rejected, TrexBadReplyError
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.framing import Malformed
 from trex_gui.devices.trex.protocol.parameters import Grade, ParameterSpec
-from trex_gui.devices.trex.session.reconnecting import REACH
+from trex_gui.devices.trex.session.reconnecting import LINK_KEYS
 from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.version import __version__
 
@@ -66,7 +66,7 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
             specs = [
                 spec
                 for spec, stored in settings_of(state).parameter_items()
-                if spec.number in facts.stored and spec.key not in REACH
+                if spec.number in facts.stored and spec.key not in LINK_KEYS
                 if spec.grade("min", "max") > Grade.SOURCED
                 if not spec.problem(stored, forced=True)
             ]
@@ -102,7 +102,7 @@ class _Survey:
     def read(self, number: int) -> None:
         command, reply = _AnyByte(number), _SILENT
         try:
-            value = agreed(self._request, command, has_crc=self._has_crc)
+            value = read_reliably(self._request, command, has_crc=self._has_crc)
         except NoReply:
             query(self._request, c.GetMode())  # raises NoReply if the board is gone
         else:
@@ -152,7 +152,7 @@ class _Survey:
                 errors["rejected_write"] = self._errors_of(c.SetParameter(spec.number, wire))
             return None
         except TrexBadReplyError:
-            return agreed(self._request, c.GetParameter(spec.number), has_crc=self._has_crc)
+            return read_reliably(self._request, c.GetParameter(spec.number), has_crc=self._has_crc)
 
     def _errors_of(self, command: c.Command[Any]) -> list[str]:
         """Return the errors that a command causes on every attempt."""

@@ -45,12 +45,12 @@ KeyT = TypeVar("KeyT", str, int)
 
 Progress = Callable[[int, int, str], None]  # called with steps done, total steps, next step
 
-ATTEMPTS = 3  # attempts of a transaction on a line that corrupts bytes
+ATTEMPTS = 3  # attempts at a transaction on a line that corrupts bytes
 
 CONNECTING_ATTEMPTS = 7
-"""Attempts of the first request, since a newly opened line may lose some replies.
+"""Attempts at the first request, since a newly opened line may lose some replies.
 
-On a silent local line, the last four attempts take half a second.
+On a silent local line, the four additional attempts take half a second.
 """
 
 _DISAGREEMENTS = 3  # consecutive differing readings after which a value counts as unknown
@@ -114,7 +114,7 @@ def may_be_same_board(first: DeviceState, second: DeviceState) -> bool:
 def other_board(
     request: Requester, signature: Signature, number: int | None = None
 ) -> Signature | None:
-    """Return the signature of the board that replies. `None` if it is the expected board.
+    """Return the signature of the replying board, or `None` if the expected board replies.
 
     The expected board has this signature and, if given, this device number. The board is queried
     twice, because a corrupted reply can look like another model or number.
@@ -137,7 +137,7 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
     Reserved numbers are not queried. A missing reply does not count as a fault of the line.
 
     Raises:
-        BadReply: several boards reply, or the line corrupts bytes.
+        BadReply: more than one board replies, or the line corrupts bytes.
     """
     if number in client.settings.reserved:
         return None
@@ -147,7 +147,7 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
     try:
         signature = query(other.request, GetSignature(), attempts=attempts)
         stored = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
-        has_number = agreed(other.request, stored, has_crc=client.has_crc) == number
+        has_number = read_reliably(other.request, stored, has_crc=client.has_crc) == number
     except NoReply as error:
         if isinstance(error, TrexError) and error.code is ErrorCode.INCOMPLETE_REPLY:
             raise TrexBadReplyError(error.code, *error.fields) from error
@@ -156,7 +156,7 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
 
 
 def several_reply(client: TrexClient, stored_number: int) -> bool:
-    """True if several boards reply at once to commands without a number.
+    """True if more than one board replies to commands without a number.
 
     Equal replies from boards of the same model look like a single reply. Replies with different
     device numbers overlap and are read as `stored_number`, to which usually no board replies.
@@ -174,8 +174,8 @@ def require_free_number(
     """Check that no board uses this device number. `before` is called before each query.
 
     Raises:
-        BadRequest: the number is reserved, or a board has it, or every reply is unreadable. Several
-            boards with this number cause unreadable replies.
+        BadRequest: the number is reserved or in use, or every reply is unreadable. Replies are
+            unreadable if more than one board has this number.
     """
     unreadable = 0
     for _ in range(ATTEMPTS):
@@ -209,7 +209,7 @@ def query(
     return request(command)
 
 
-def agreed(
+def read_reliably(
     request: Requester,
     command: Command[ReplyT_co],
     *,
@@ -240,9 +240,9 @@ def agreed(
 
 
 def read_signature(request: Requester, *, has_crc: bool = False) -> Signature:
-    """Return the signature of the replying board. Raises the errors of `agreed`."""
+    """Return the signature of the replying board. Raises the errors of `read_reliably`."""
     signature = query(request, GetSignature(), attempts=CONNECTING_ATTEMPTS)
-    return agreed(request, GetSignature(), has_crc=has_crc, earlier=signature)
+    return read_reliably(request, GetSignature(), has_crc=has_crc, earlier=signature)
 
 
 def read_everything(
@@ -269,7 +269,7 @@ def read_everything(
 
     def read_again(command: Command[ReplyT_co]) -> ReplyT_co:
         earlier: ReplyT_co | None = readings.get(command)
-        return agreed(request, command, earlier=earlier)
+        return read_reliably(request, command, earlier=earlier)
 
     def read_passes() -> DeviceState:
         progress(0, 1, "signature")

@@ -64,7 +64,7 @@ class Currents(Sample):
 
 @dataclass(frozen=True, slots=True)
 class LatchedStatus(Sample):
-    """Status and UART error bits latched since the last reading. It is false without bits."""
+    """Status and UART error bits latched since the last reading. False if no bit is set."""
 
     status: Status
     uart: UartError
@@ -142,7 +142,7 @@ class PolledValue:
     kind: Callable[[InputSource, float], SampleKind]
     analog_rate: float | None = None  # different rate with analog inputs
     # Different rate while no sample is shown or recorded and no motor moves
-    unwatched: float | None = None
+    unwatched_rate: float | None = None
 
 
 def _raw_column(channel: int, source: InputSource) -> Column:
@@ -176,7 +176,7 @@ POLLED: Mapping[type[Sample], PolledValue] = {
     Raw: PolledValue(
         GetRawChannels(),
         rate=50.0,
-        unwatched=2.0,
+        unwatched_rate=2.0,
         sample=lambda time, reply: Raw(time, tuple(reply.values())),
         kind=lambda source, _: SampleKind(
             "raw",
@@ -190,7 +190,7 @@ POLLED: Mapping[type[Sample], PolledValue] = {
     Remapped: PolledValue(
         GetRemappedChannels(),
         rate=50.0,
-        unwatched=2.0,
+        unwatched_rate=2.0,
         sample=lambda time, reply: Remapped(time, tuple(reply.values())),
         kind=lambda *_: SampleKind(
             "remapped",
@@ -208,7 +208,7 @@ POLLED: Mapping[type[Sample], PolledValue] = {
         GetCurrents(),
         rate=80.0,
         analog_rate=50.0,
-        unwatched=20.0,  # the plot of currents needs a curve without gaps
+        unwatched_rate=20.0,  # the plot of currents needs a curve without gaps
         sample=Currents,
         kind=lambda _, current_unit: SampleKind(
             "currents",
@@ -288,7 +288,7 @@ class StatusReader:
 
     def reset(self) -> None:
         """Mark the next bits as latched earlier. Call this after a scan or a selection."""
-        self._is_first = self.uart_due = True  # the status may not announce latched errors
+        self._is_first = self.uart_due = True  # the status may not reveal latched UART errors
 
     def read(self, request: Requester) -> LatchedStatus:
         """Read and clear the status and any UART errors.

@@ -1,7 +1,7 @@
 """Writes of one value, verified by reading the value back.
 
 Every function raises `PortUnavailable` if the line is gone. `has_crc` is True if a CRC protects the
-line. See `agreed`.
+line. See `read_reliably`.
 """
 
 from collections.abc import Callable
@@ -10,7 +10,7 @@ from typing import TypeVar
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.client.reading import ATTEMPTS, agreed, query
+from trex_gui.devices.trex.client.reading import ATTEMPTS, query, read_reliably
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     Command,
@@ -42,7 +42,7 @@ def write_parameter(
     """
     command = SetParameter(spec.number, spec.check(wire, forced=True))
     if not spec.readable:
-        code = agreed(request, command, has_crc=has_crc)
+        code = read_reliably(request, command, has_crc=has_crc)
         if code is not ResultCode.OK:
             raise Rejected(spec.name, code)
         return wire
@@ -72,7 +72,7 @@ def write_calibration(
     command.data()  # raises if the values are invalid, before anything is sent
 
     def require_source() -> None:
-        mode = agreed(request, GetMode(), has_crc=has_crc)
+        mode = read_reliably(request, GetMode(), has_crc=has_crc)
         if not mode.is_serial:
             raise Rejected(name, ResultCode.NOT_SERIAL_MODE)
         if mode.source is not key.source:
@@ -122,12 +122,12 @@ def _write_and_verify(
             if has_crc or code is rejected:
                 raise Rejected(name, code)
             rejected = code
-            query(request, GetMode())  # see `agreed`
+            query(request, GetMode())  # see `read_reliably`
 
     stored = value
     for _ in range(ATTEMPTS):
         write()
-        stored = agreed(request, read_back, has_crc=has_crc)
+        stored = read_reliably(request, read_back, has_crc=has_crc)
         if stored == value:
             break
     return stored

@@ -13,11 +13,11 @@ from trex_gui.devices.trex.client.reading import (
     ATTEMPTS,
     DeviceState,
     Progress,
-    agreed,
     may_be_same_board,
     other_board,
     query,
     read_everything,
+    read_reliably,
 )
 from trex_gui.devices.trex.client.write_once import write_calibration, write_parameter
 from trex_gui.devices.trex.protocol.calibration import (
@@ -86,7 +86,7 @@ def write_all(
     before: DeviceState | None = None,
     has_crc: bool = False,
     cancelled: Callable[[], bool] = lambda: False,
-    stored: Callable[[WriteResult], None] = lambda _result: None,
+    on_stored: Callable[[WriteResult], None] = lambda _result: None,
 ) -> tuple[WriteResult, ...]:
     """Store calibrations, then parameters. Return the result of each write.
 
@@ -103,7 +103,7 @@ def write_all(
 
     If the line is gone, or the board does not respond or is not in serial mode, no further writes
     are attempted, since they would also fail. `cancelled` also ends writing, but never between the
-    serial settings. `stored` is called after each write whose value was read back.
+    serial settings. `on_stored` is called after each write whose value was read back.
 
     Without a CRC, one corrupted bit can turn a write into a write of another setting. So if a write
     was repeated or failed, every other setting is compared with `before` and restored, even if
@@ -118,7 +118,7 @@ def write_all(
         OtherBoard: the board differs from `before`. Nothing more is written.
     """
     total = len(parameters) + len(calibrations)
-    work = _Work(request, specs, total, progress, has_crc, cancelled, stored, before)
+    work = _Work(request, specs, total, progress, has_crc, cancelled, on_stored, before)
     work.compare_settings()
     for calibration_key, calibration in calibrations:
         work.store(calibration_key, calibration)
@@ -166,7 +166,7 @@ class _Work:
     progress: Progress
     has_crc: bool
     cancelled: Callable[[], bool]
-    stored: Callable[[WriteResult], None]
+    on_stored: Callable[[WriteResult], None]
     before: DeviceState | None  # expected state of the board; `None` to skip the check
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None  # error that ends writing
@@ -286,7 +286,7 @@ class _Work:
         error: StudioError | None = None
         for _ in range(ATTEMPTS if keys else 0):
             error, keys = self._restore({key: expected[key] for key in keys})
-            if error is None or _if_fatal(error) is not None:
+            if error is None or _is_fatal(error):
                 break
         return error
 
@@ -299,7 +299,7 @@ class _Work:
         keys = []
         for key, value in expected.items():
             try:
-                differs = self._stored(key) != value
+                differs = self._read(key) != value
             except _FAILURES:
                 query(self.request, GetMode())
                 differs = True
@@ -315,23 +315,24 @@ class _Work:
         keys: list[str] = []
         for key, value in expected.items():
             try:
-                if self._stored(key) != value:
+                if self._read(key) != value:
                     log.warning("%s was changed by a corrupted packet and is restored", key)
                     self._write(key, value)
             except _FAILURES as error:
                 last_error = error
                 keys.append(key)
-                if _if_fatal(error) is not None:
+                if _is_fatal(error):
                     break
         return last_error, keys
 
-    def _stored(self, key: str) -> int | Calibration:
+    def _read(self, key: str) -> int | Calibration:
         if isinstance(key, CalibrationKey):
-            return agreed(self._request, GetCalibration(key.channel), has_crc=self.has_crc)
-        return self._stored_parameter(key)
+            return read_reliably(self._request, GetCalibration(key.channel), has_crc=self.has_crc)
+        return self._read_parameter(key)
 
-    def _stored_parameter(self, key: str) -> int:
-        return agreed(self._request, GetParameter(self.specs[key].number), has_crc=self.has_crc)
+    def _read_parameter(self, key: str) -> int:
+        command = GetParameter(self.specs[key].number)
+        return read_reliably(self._request, command, has_crc=self.has_crc)
 
     def _name(self, key: str) -> str:
         if key in CALIBRATION_KEYS:
@@ -356,8 +357,8 @@ class _Work:
         if route is _Route.VIA_DEFAULT:
             self._record_uncertain_line()
 
-    def _route(self, new: Mapping[str, int]) -> "_Route":
-        stored = {key: self._stored_parameter(key) for key in new}
+    def _route(self, new: Mapping[str, int]) -> _Route:
+        stored = {key: self._read_parameter(key) for key in new}
         is_valid = not any(self.specs[key].problem(wire) for key, wire in new.items())
         stores_crc = _stores_crc(stored[_LINE])
         if not (is_valid and stores_crc and stored[_POLYNOMIAL] != new[_POLYNOMIAL]):
@@ -395,13 +396,13 @@ class _Work:
                 result = WriteResult(key, self._write(key, value))
             except _FAILURES as error:
                 result = WriteResult(key, error=error)
-                self.fatal_error = _if_fatal(error)
+                self.fatal_error = error if _is_fatal(error) else None
                 self.unknown.add(key)
                 if isinstance(error, TrexError) and error.code in _NOT_VERIFIED:
                     with contextlib.suppress(*_FAILURES):
-                        self.stored(WriteResult(key, self._stored(key)))
+                        self.on_stored(WriteResult(key, self._read(key)))
             else:
-                self.stored(result)
+                self.on_stored(result)
             if self._sent > 1 or (self._sent and result.error is not None):
                 self.doubtful.append(len(self.results))
                 self.repeated += max(1, self._sent - 1)
@@ -424,10 +425,8 @@ def _write_order(specs: ParameterSet, key: str) -> tuple[bool, bool, int]:
     return spec.needs_power_cycle, spec.group == "serial", spec.number
 
 
-def _if_fatal(error: StudioError) -> StudioError | None:
-    """Return the error if every later write would fail for the same reason."""
-    if isinstance(error, (NoReply, PortUnavailable)):
-        return error
-    if isinstance(error, Rejected) and error.result is ResultCode.NOT_SERIAL_MODE:
-        return error
-    return None
+def _is_fatal(error: StudioError) -> bool:
+    """True if every later write would fail for the same reason."""
+    if isinstance(error, Rejected):
+        return error.result is ResultCode.NOT_SERIAL_MODE
+    return isinstance(error, NoReply | PortUnavailable)

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
-from trex_gui.devices.trex.session.reconnecting import REACH
+from trex_gui.devices.trex.session.reconnecting import LINK_KEYS
 from trex_gui.devices.trex.settings.comparison import Comparison, settings_after, values_to_write
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
@@ -77,7 +77,7 @@ class ApplyToBoards(QObject):
     def review(self, settings: Settings, numbers: Collection[int]) -> None:
         if self.is_running:
             return
-        self._target = settings.without(REACH)
+        self._target = settings.without(LINK_KEYS)
         self._start([BoardPlan(number) for number in sorted(numbers)], is_writing=False)
 
     def write(self, numbers: Collection[int]) -> None:

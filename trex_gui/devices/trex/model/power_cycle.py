@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.reconnecting import REACH, after_power_cycle
+from trex_gui.devices.trex.session.reconnecting import LINK_KEYS, after_power_cycle
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
@@ -62,7 +62,7 @@ class PowerCycle(QObject):
             stored = factory_settings(signature.model, signature.firmware).parameters
         expected = after_power_cycle(settings, stored, signature.firmware)
         self.expected = None if expected == settings else expected
-        if not any(key in REACH for key in failed):
+        if not any(key in LINK_KEYS for key in failed):
             self._device.connection.expect(() if self.expected is None else (self.expected,))
         self._set_stage(PowerCycleStage.AWAITING_OFF)
 

@@ -7,8 +7,8 @@ from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import (
     DeviceState,
-    agreed,
     read_everything,
+    read_reliably,
     several_reply,
 )
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus, ModeSample, poll
@@ -45,14 +45,14 @@ class BoardReader:
         self._safety_keys = itertools.cycle(SAFETY_PARAMETERS)
 
     def expect_changes(self) -> None:
-        """Schedule further readings, since a failed write may have been stored."""
+        """Schedule further readings, since the value of a failed write may have been stored."""
         self._stale_reads = _STALE_READS
 
     def read_everything(self, occasion: ReadReason) -> None:
         """Read and report all settings.
 
-        Stop the motors, except after a reload. They must then be armed again, because the window
-        may still send setpoints for the previous state or board.
+        Stop the motors, except after a reload. After the stop, the motors must be armed again,
+        because the window may still send setpoints for the previous state or board.
         """
         line, client = self._line, self._line.client
         if occasion.power_cycled:
@@ -136,8 +136,8 @@ class BoardReader:
     def check_safety_parameter(self, now: float) -> None:
         """Read the next safety parameter.
 
-        An unexpected value indicates a power cycle that was too short for a reply to be lost. In
-        this case, everything is read, and the motors must be armed again.
+        An unexpected value indicates a power cycle during which no reply was lost. In this case,
+        everything is read, and the motors must be armed again.
         """
         line = self._line
         self.safety_read_at = now + _SAFETY_READ_INTERVAL
@@ -149,7 +149,7 @@ class BoardReader:
         try:
             if line.client.request(command) == expected:
                 return
-            if agreed(line.request, command, has_crc=line.client.has_crc) != expected:
+            if read_reliably(line.request, command, has_crc=line.client.has_crc) != expected:
                 # A failed write may also have changed the value.
                 occasion = ReadReason.RELOADED
                 if not self._stale_reads:

@@ -65,7 +65,7 @@ class JobServer:
             case Write():
                 return self._write(job)
             case Reload():
-                reason = ReadReason.RETURNED if line.liveness.silent else ReadReason.RELOADED
+                reason = ReadReason.RETURNED if line.liveness.is_silent else ReadReason.RELOADED
                 self._reader.read_everything(reason)
                 return None
             case ProbeNumber(number=number, attempts=attempts):
@@ -100,10 +100,10 @@ class JobServer:
             client.settings = before
             line.queue.selection = selection
             line.status.uart_due = True
-            if not line.liveness.silent:
+            if not line.liveness.is_silent:
                 motors.handle(OutputEvent.BOARD_READ, line.now())
             raise
-        line.liveness.expect(())  # the candidates were for the previous board
+        line.liveness.set_candidates(())  # the candidates were for the previous board
 
     def _address(self, job: SelectBoard) -> None:
         client = self._line.client
@@ -159,7 +159,7 @@ class JobServer:
             self._line.client.settings, before, state.parameters, state.signature.firmware
         )
         if candidates:
-            self._line.liveness.expect(candidates)
+            self._line.liveness.set_candidates(candidates)
 
     def _report_cleared(self, value: object) -> None:
         status = self._line.status
@@ -209,7 +209,7 @@ class JobServer:
                 before=job.before or state,
                 has_crc=line.client.has_crc,
                 cancelled=line.requests.sees_close,
-                stored=self._record_stored,
+                on_stored=self._record_stored,
             )
         except OtherBoard:
             self._reader.state = state

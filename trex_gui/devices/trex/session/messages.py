@@ -57,7 +57,7 @@ class ProbeNumber:
     """Read the signature of the board with a device number.
 
     The `Outcome` contains the `Signature`, or `None` if no board replies. Its error is a `BadReply`
-    if several boards reply. The request is rejected while motors are armed or may be moving.
+    if more than one board replies. The request is rejected while motors are armed or may be moving.
     """
 
     id: int
@@ -70,7 +70,7 @@ class SelectBoard:
     """Select and read the board with this device number.
 
     A `Connected` precedes the `Outcome`. Motors that may be moving are stopped first. If the stop
-    is not confirmed or the board does not respond, the present board stays selected.
+    is not confirmed or the board does not respond, the current board stays selected.
     """
 
     id: int
@@ -219,7 +219,7 @@ class Batch:
 
 @dataclass(frozen=True, slots=True)
 class LeaseChanged:
-    """Lease of a board that is served to several clients."""
+    """Lease of a served board."""
 
     user: str = ""  # user of this client
     driver: str = ""  # user who has the lease, or empty

@@ -32,7 +32,7 @@ _UNANSWERED_LIMIT = 3
 
 
 class SampleBatcher:
-    """Collector of samples, which it reports in batches."""
+    """Collects samples and reports them in batches."""
 
     def __init__(self, report: Callable[[Batch], None]) -> None:
         self._report = report
@@ -73,7 +73,7 @@ class OpenLine:
     boards: list["OpenLine"]  # all boards of the session
     reserved: frozenset[int]  # numbers of devices outside the session
     has_driven: bool = False  # True after driving, until all boards on the line are stopped
-    is_guarded: bool = False  # value last reported
+    is_guarded: bool = False  # last reported state of the guardian
 
     @property
     def settings(self) -> ConnectionSettings:
@@ -177,7 +177,7 @@ class OpenLine:
             raise TrexRequestError(ErrorCode.OTHERS_WHILE_DRIVING)
 
     def record_failure(self, error: StudioError, topic: Topic | None = None) -> None:
-        """Count a failed transaction. After several in a row, the board counts as silent."""
+        """Count a failed transaction. After some failures in a row, the board counts as silent."""
         self.motors.restart.record_lost_reply()
         if self.liveness.record_failure(self.now(), topic):
             self.motors.handle(OutputEvent.NOT_RESPONDING, self.now())
@@ -196,8 +196,8 @@ class OpenLine:
         if self.batcher.seconds_to_next(now) <= 0:
             self.flush()
 
-    def report_progress(self, done: int, total: int, what: str) -> None:
-        self.emit(Progress(done, total, what))
+    def report_progress(self, done: int, total: int, next_step: str) -> None:
+        self.emit(Progress(done, total, next_step))
 
     def report_guardian(self) -> None:
         if self.transport.is_guarded != self.is_guarded:

@@ -42,7 +42,7 @@ def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]
     """Return the polls per second for each topic, fastest topic first."""
     is_analog = source is InputSource.ANALOG
     return {
-        topic: (not watched and polled.unwatched)
+        topic: (not watched and polled.unwatched_rate)
         or (is_analog and polled.analog_rate)
         or polled.rate
         for topic, polled in sorted(POLLED.items(), key=lambda item: -item[1].rate)
@@ -65,14 +65,14 @@ def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
     return frozenset(topic for topic in POLLED if silence(line, POLLED[topic].query) >= timeout)
 
 
-def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
+def survives_a_loss(line: LineSettings, timeout: float, reply_timeout: float) -> bool:
     """True if a lost reply does not cause a serial timeout.
 
-    `lateness` is the timeout for a reply in seconds, without the transmission time.
+    `reply_timeout` is in seconds, without the transmission time.
     """
     omitted = too_slow(line, timeout)
     queries = [POLLED[topic].query for topic in POLLED if topic not in omitted]
-    return timeout <= 0 or max(silence(line, query) for query in queries) + lateness < timeout
+    return timeout <= 0 or max(silence(line, query) for query in queries) + reply_timeout < timeout
 
 
 # --- The schedule -----------------------------------------------------------------------
@@ -140,7 +140,7 @@ class Polling:
         """
         omitted: Collection[Topic] = too_slow(line, timeout)
         if careful:
-            # 86 1F is one bit away from C6 1F, which drives. 87 1F may only become C7 1F, a brake.
+            # 86 1F is one bit away from C6 1F, which drives. 87 1F can become C7 1F, which brakes.
             omitted = {*omitted, Raw}
         while topic := self._schedule.next(now):
             self._schedule.record_poll(topic, now)

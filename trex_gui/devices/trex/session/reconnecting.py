@@ -24,8 +24,8 @@ log = logging.getLogger(__name__)
 
 _FAILURES = 3  # after this number of failures in a row, the board counts as silent
 
-# Failures of each of these topics are also counted separately, because few byte values are valid
-# replies to them. If TX and RX touch, requests come back and look like valid replies to the other
+# The failures of each of these topics are also counted separately, because only a few byte values
+# are valid replies. If TX and RX touch, requests come back and look like valid replies to the other
 # topics.
 _STRICT = frozenset({Control, ModeSample})
 
@@ -41,33 +41,33 @@ class LivenessMonitor:
         self._untried = deque[ConnectionSettings]()
         self.start()
 
-    def expect(self, candidates: tuple[ConnectionSettings, ...]) -> None:
+    def set_candidates(self, candidates: tuple[ConnectionSettings, ...]) -> None:
         if candidates != self.candidates:
             self.candidates = candidates
             self._untried.clear()
 
     def start(self) -> None:
-        self.silent = False  # True if the board has stopped responding
+        self.is_silent = False  # True if the board has stopped responding
         self._failures = 0
         self._failures_of.clear()
         self._has_probed = False
 
     @property
     def is_failing(self) -> bool:
-        return self._failures > 0 and not self.silent
+        return self._failures > 0 and not self.is_silent
 
     def record_reply(self, topic: Topic) -> None:
         self._failures = self._failures_of[topic] = 0
 
     def record_failure(self, now: float, topic: Topic | None = None) -> bool:
-        """Count a failed transaction. Return whether the board becomes silent."""
+        """Count a failed transaction. Return True if the board becomes silent."""
         self._failures += 1
         if topic in _STRICT:
             self._failures_of[topic] += 1
         failures = max((self._failures, *self._failures_of.values()))
-        if failures < _FAILURES or self.silent:
+        if failures < _FAILURES or self.is_silent:
             return False
-        self.silent = True
+        self.is_silent = True
         self._untried.clear()
         self.retry_later(now)
         return True
@@ -82,7 +82,7 @@ class LivenessMonitor:
         until the board responds, because a board at another baud rate may have misread the probe.
         """
         can_probe = client.transport.is_configurable
-        return self.silent and can_probe and (self._has_probed or bool(self.candidates))
+        return self.is_silent and can_probe and (self._has_probed or bool(self.candidates))
 
     def probe_next(self, client: TrexClient) -> TrexClient | None:
         """Send one probe. Return a client if the board replied."""
@@ -93,7 +93,7 @@ class LivenessMonitor:
         if new_client is None:
             self.retry_at = client.transport.clock() + (0.0 if self._untried else self._retry)
         elif new_client is not client:
-            self.expect(())
+            self.set_candidates(())
         return new_client
 
 
@@ -118,8 +118,8 @@ def _probe(client: TrexClient, settings: ConnectionSettings) -> TrexClient | Non
 
 # --- Settings to probe ------------------------------------------------------------------
 
-REACH = (ParameterKey.DEVICE_NUMBER, ParameterKey.CRC7_POLYNOMIAL, ParameterKey.UART_SETTINGS)
-"""Parameters that change the connection settings of a board."""
+LINK_KEYS = (ParameterKey.DEVICE_NUMBER, ParameterKey.CRC7_POLYNOMIAL, ParameterKey.UART_SETTINGS)
+"""Keys of the parameters that change the connection settings of a board."""
 
 
 def reconnect_candidates(
@@ -127,11 +127,13 @@ def reconnect_candidates(
 ) -> tuple[ConnectionSettings, ...]:
     """Return the possible settings of a board that loses power during a write.
 
-    Inferred: a value that was being stored becomes the factory default. The present settings are
-    omitted, because they are always probed. `before` and `after` map keys to stored wire values.
+    Inferred: a value that was being stored becomes the factory default. `link`, the current
+    settings, is omitted, because it is always probed. `before` and `after` map keys to stored wire
+    values.
     """
     specs = {spec.key: spec for spec in parameters_of("trex", firmware).readable}
-    changed = [key for key in REACH if key in before and after.get(key) not in {None, before[key]}]
+    keys = (key for key in LINK_KEYS if key in before)
+    changed = [key for key in keys if after.get(key) not in {None, before[key]}]
     complete = [before, {**before, **after}]
     interrupted = [{**stored, key: specs[key].default} for stored in complete for key in changed]
     candidates = dict.fromkeys(
@@ -170,13 +172,13 @@ def after_power_cycle(
 def settings_to_probe(
     used: ConnectionSettings, expected: Iterable[ConnectionSettings]
 ) -> tuple[ConnectionSettings, ...]:
-    """Return the settings to probe for a silent board, present settings first.
+    """Return the settings to probe for a silent board, current settings first.
 
-    The factory default is last. A board has it if power fails while the UART settings are being
-    stored (inferred). The number of stop bits does not prevent a reply, so a candidate that differs
-    only in stop bits replaces the present settings. Settings are omitted if a board at other
-    settings could read their probe as a motor command. On a line with other devices, only the
-    present settings are probed.
+    The factory default is last. A board returns to this default if power fails while the UART
+    settings are being stored (inferred). A board replies at any number of stop bits, so a candidate
+    that differs only in stop bits replaces the current settings. Settings are omitted if a board at
+    other settings could read their probe as a motor command. On a line with other devices, only the
+    current settings are probed.
     """
     if used.reserved:
         return (used,)

@@ -43,7 +43,7 @@ class BoardQueue:
                 self.output.handle_request(request, self._clock())
                 self._reject_motor_commands()
             case SetReconnectCandidates(settings=settings):
-                self._liveness.expect(settings)
+                self._liveness.set_candidates(settings)
             case Arm(selection=selection) if selection != self.selection:
                 pass  # for another board
             case _ if isinstance(request, Job):
@@ -75,7 +75,7 @@ class TrexRequestQueue:
     is_ready: bool = True  # True if every board has been read
     is_closing: bool = False  # True if a `Close` was received
     is_watched: bool = True  # True if samples are shown or recorded
-    _awaited: Counter[int] = field(default_factory=Counter)  # id of a stop → missing outcomes
+    _awaited: Counter[int] = field(default_factory=Counter)  # id of a stop → outcomes to await
     _failed: dict[int, Outcome] = field(default_factory=dict)  # id of a stop → first error
 
     def collect(self, seconds: float = 0.0) -> None:
@@ -116,8 +116,11 @@ class TrexRequestQueue:
     def is_for_all(self, outcome: Outcome) -> bool:
         return self._awaited[outcome.id] > 0
 
-    def joined(self, outcome: Outcome, number: int) -> Outcome | None:
-        """Return the common outcome of a stop. `None` until all boards have an outcome."""
+    def add_outcome(self, outcome: Outcome, number: int) -> Outcome | None:
+        """Record one board's outcome of a stop.
+
+        Returns the common outcome, or `None` until every board has an outcome.
+        """
         stop_id = outcome.id
         if outcome.error is not None:
             error = TrexNoReplyError(ErrorCode.OF_BOARD, number, outcome.error)

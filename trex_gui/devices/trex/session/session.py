@@ -104,13 +104,13 @@ class TrexSession:
             if number is None:
                 self._emit(report)
             elif isinstance(report, Outcome) and self._requests.is_for_all(report):
-                if (outcome := self._requests.joined(report, number)) is not None:
+                if (outcome := self._requests.add_outcome(report, number)) is not None:
                     self._emit(outcome)
             else:
                 self._emit(report if number == self._settings.group[0] else OfBoard(number, report))
 
         motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
-        if number is not None:  # a group is armed together after all boards are read
+        if number is not None:  # a group is armed only after all its boards are read
             motors.handle(OutputEvent.STOP, 0.0)
         liveness = LivenessMonitor(settings.timeouts)
         queue = BoardQueue(motors, liveness, emit, self._now)
@@ -162,7 +162,7 @@ class TrexSession:
                 # A line may lose the echo just after it is opened.
                 self._start(client)
         except (NoReply, BadReply) as error:
-            if self._needs_stop():  # further probes would delay the stop
+            if self._needs_stop():  # a diagnosis would delay the stop
                 raise explain(self._settings, echo=client.echo, error=error) from error
             raise diagnose(
                 client, error, progress=self._report_probe, cancelled=self._needs_stop
@@ -326,11 +326,11 @@ class TrexSession:
         reader, liveness, jobs = board.reader, board.liveness, board.queue.jobs
         if jobs and not board.had_job:
             self._serve_job(board)
-        elif liveness.silent and now >= liveness.retry_at:
+        elif liveness.is_silent and now >= liveness.retry_at:
             reader.try_to_reconnect()
-        elif not liveness.silent and now >= reader.safety_read_at and watched:
+        elif not liveness.is_silent and now >= reader.safety_read_at and watched:
             reader.check_safety_parameter(now)
-        elif not liveness.silent and (topic := reader.next_topic(now)):
+        elif not liveness.is_silent and (topic := reader.next_topic(now)):
             reader.poll(topic)
             board.had_job = False
         elif jobs:
@@ -347,8 +347,8 @@ class TrexSession:
     def _seconds_to_wait(self, now: float) -> float:
         seconds = HEARTBEAT_INTERVAL
         for board in self._boards:
-            line, liveness = board.line, board.liveness
-            due = liveness.retry_at - now if liveness.silent else board.reader.seconds_to_next(now)
+            line, liveness, reader = board.line, board.liveness, board.reader
+            due = liveness.retry_at - now if liveness.is_silent else reader.seconds_to_next(now)
             driving, batch = line.driver.seconds_to_next(), line.batcher.seconds_to_next(now)
             seconds = min(seconds, due, driving, batch)
         return max(SHORTEST_WAIT, seconds)

@@ -19,7 +19,7 @@ from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSpec
 from trex_gui.devices.trex.session.messages import Write, Written
-from trex_gui.devices.trex.session.reconnecting import REACH, reconnect_candidates
+from trex_gui.devices.trex.session.reconnecting import LINK_KEYS, reconnect_candidates
 from trex_gui.devices.trex.settings.board_records import utc_now
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
@@ -130,7 +130,7 @@ class SettingsWriter(QObject):
             return
         spec, stored = state.specs[key], state.parameters
         wires = wires_of(spec)
-        if key in REACH:
+        if key in LINK_KEYS:
             self._expect_after({**stored, **wires})
         changed = {name: wire for name, wire in wires.items() if stored.get(name) != wire}
         self.write(tr("{0} set").format(spec.name), tuple((changed or wires).items()))
