@@ -66,7 +66,7 @@ OwnRecord = Sample | SetpointRecord | AuxiliarySetpointRecord | Marker | Setting
 
 
 @dataclass(frozen=True, slots=True)
-class OfBoardRecord:
+class OtherBoardRecord:
     """Record of a board other than the board in the header."""
 
     board: int  # device number
@@ -77,7 +77,7 @@ class OfBoardRecord:
         return self.record.time
 
 
-Record = OwnRecord | OfBoardRecord  # times are seconds on the session's clock
+Record = OwnRecord | OtherBoardRecord  # times are seconds on the session's clock
 
 
 def setpoint_record(
@@ -102,7 +102,8 @@ class Header:
     settings: str = ""  # stored settings at the start, as the text of a settings file
     device_number: int | None = None  # `None` if the board was addressed without a number
     program: str = f"TReX Studio {__version__}"
-    others: Mapping[int, float] = field(default_factory=dict)  # other device number → A per count
+    # Device numbers of other boards → amperes per count
+    others: Mapping[int, float] = field(default_factory=dict)
 
     @classmethod
     def of(
@@ -217,15 +218,15 @@ def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, 
 def _with_board(kind: SampleKind, own: int | None, others: Mapping[int, float]) -> SampleKind:
     """Add a column for the board. `own` is the device number in the header."""
 
-    def pack(record: OwnRecord | OfBoardRecord) -> Sequence[Value]:
-        if isinstance(record, OfBoardRecord):
+    def pack(record: OwnRecord | OtherBoardRecord) -> Sequence[Value]:
+        if isinstance(record, OtherBoardRecord):
             return (*kind.pack(record.record), record.board)
         return (*kind.pack(record), own)
 
     def unpack(time: float, *values: Any) -> Record:
         *inner, board = values
         record: OwnRecord = kind.unpack(time, *inner)
-        return record if board == own else OfBoardRecord(board, record)
+        return record if board == own else OtherBoardRecord(board, record)
 
     columns = kind.columns
     if kind.type is Currents:
@@ -246,7 +247,7 @@ def _kinds(header: Header) -> tuple[SampleKind, ...]:
 
 
 def _type_of(record: Record) -> type[object]:
-    return type(record.record if isinstance(record, OfBoardRecord) else record)
+    return type(record.record if isinstance(record, OtherBoardRecord) else record)
 
 
 def _setpoint(  # noqa: PLR0917 - a value for each column
@@ -269,7 +270,7 @@ class MeasurementTable:
         self.mode = mode
         kinds = sample_kinds(mode.source, unit)
         self._kinds: dict[type[Any], SampleKind] = {kind.type: kind for kind in kinds}
-        # All polled values except the mode, which changes only with a power cycle.
+        # All polled values except the mode, which changes only at a power cycle.
         measured = [kind for kind in kinds if kind.held and kind.type is not ModeSample]
         self._missing = {kind.type for kind in measured} - {Currents}
         columns = [name for kind in measured for name in kind.exported]
@@ -280,7 +281,7 @@ class MeasurementTable:
         self.row |= dict.fromkeys(self._kinds[LatchedStatus].exported, 0)
 
     def add(self, sample: Sample) -> bool:
-        """Add a sample. Return whether it completes a row."""
+        """Add a sample. Return True if it completes a row."""
         self._missing.discard(type(sample))
         cells = self._kinds[type(sample)].cells(sample)
         if isinstance(sample, LatchedStatus):
@@ -290,7 +291,7 @@ class MeasurementTable:
         return isinstance(sample, Currents) and not self._missing
 
     def finish(self, time: float) -> Row:
-        """Return the row at `time` (s). Each latched bit is set in one row only."""
+        """Return the row at `time` (s). A latched bit is set in only one row."""
         row = {**self.row, "time_s": round(time, 4)}
         self._clear_status()
         return row

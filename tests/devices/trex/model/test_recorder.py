@@ -25,7 +25,12 @@ from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.model.recorder import EventRecorder, Recorder
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.recording import OfBoardRecord, Record, SetpointRecord, SettingsSnapshot
+from trex_gui.devices.trex.recording import (
+    OtherBoardRecord,
+    Record,
+    SetpointRecord,
+    SettingsSnapshot,
+)
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
@@ -364,7 +369,7 @@ def test_recording_distinguishes_two_boards(
     device.shut_down()
     recording = open_recording(path)
     records = recording.read(1, recording.count)
-    second_board = [record for record in records if isinstance(record, OfBoardRecord)]
+    second_board = [record for record in records if isinstance(record, OtherBoardRecord)]
     assert {record.board for record in second_board} == {9}
     assert any(isinstance(record.record, SetpointRecord) for record in second_board)
     assert any(isinstance(record, Currents) for record in records)

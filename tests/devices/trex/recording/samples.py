@@ -27,7 +27,7 @@ from trex_gui.devices.trex.recording import (
     FORMAT,
     AuxiliarySetpointRecord,
     Header,
-    OfBoardRecord,
+    OtherBoardRecord,
     Record,
     SetpointRecord,
     SettingsSnapshot,
@@ -125,7 +125,7 @@ def write(path: Path, records: list[Record], *, step: int = 500, finish: bool = 
 
 def write_long_recording(path: Path, minutes: int = 60) -> int:
     """Write a recording that repeats one minute, which is quick. Return its number of currents."""
-    minute = [record for record in drive_records(60) if not isinstance(record, OfBoardRecord)]
+    minute = [record for record in drive_records(60) if not isinstance(record, OtherBoardRecord)]
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
     for number in range(minutes):
         writer.write([replace(record, time=record.time + 60 * number) for record in minute])

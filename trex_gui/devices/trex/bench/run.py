@@ -14,10 +14,10 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
-MIN_SECONDS = 0.2  # of a test or a period; ten steps of the profile
-MAX_SECONDS = 120.0  # of a test; the user holds a button during the test
+MIN_SECONDS = 0.2  # minimum duration of a test or period; ten steps of the profile
+MAX_SECONDS = 120.0  # maximum duration; the user holds a button during the test
 MAX_GAP = 0.5  # seconds between readings; longer gaps do not count as charge
-BAND = 0.1  # maximum deviation of a settled current, as a fraction of the steady current
+SETTLED_BAND = 0.1  # maximum deviation of a settled current, as a fraction of the steady current
 _TAIL = 0.3  # final fraction of a constant setpoint; its mean current is the steady current
 _MIN_PLATEAU = 0.4  # seconds of a constant setpoint; its tail contains ten readings
 _NOISE_COUNTS = 2  # lowest reading that shows a current; a single count may be noise
@@ -102,7 +102,7 @@ class Profile:
         return (first, last) if last > first else None
 
     def course(self, points: int = 600) -> Sequence[tuple[float, int]]:
-        """Return times and speeds for a plot, with both sides of every jump."""
+        """Return times and speeds for a plot, with a point on each side of every jump."""
         steps = {self.duration * index / points for index in range(points)}
         if self.shape is Shape.REVERSE:
             half = self.period / 2
@@ -118,7 +118,7 @@ class Plan:
     profile: Profile = field(default_factory=Profile)
     accelerate: bool = True  # True to use the board's ramp, brake duration and current limit
     abort_current: float = 10.0  # A; a single reading above it stops all motors
-    abort_at_limit: bool = False  # True if reaching the board's current limit also stops them
+    abort_at_limit: bool = False  # True to stop all motors at the board's current limit too
 
 
 class End(Enum):
@@ -142,8 +142,8 @@ class Run:
     end: End
     reason: str = ""  # reason for an abort, for the user
     ended: float  # when the motor started to brake
-    setpoints: Sequence[tuple[float, int]]  # time and signed speed
-    currents: Sequence[tuple[float, float]]  # time and A, also after the end
+    setpoints: Sequence[tuple[float, int]]  # times and signed speeds
+    currents: Sequence[tuple[float, float]]  # times and currents in A, even after the end
     settings: Sequence[tuple[str, str]] = ()  # names and texts of the motor's parameters
 
     @property
@@ -172,8 +172,8 @@ class Figures:
     mean: float | None = None  # A, from the first setpoint until the motor began to brake
     charge: float | None = None  # mAh, over the same time as `mean`
     steady: float | None = None  # A at the end of the first constant setpoint
-    # Seconds from the first setpoint until the current stays within `BAND` of `steady`, or within
-    # two counts. A single crossing does not count: an inrush crosses the steady current.
+    # Seconds from the first setpoint until the current stays within `SETTLED_BAND` of `steady`, or
+    # within two counts. A single crossing does not count: an inrush crosses the steady current.
     settled: float | None = None
     delay: float | None = None  # s from the first setpoint to the first current above the noise
 
@@ -183,14 +183,14 @@ def figures(run: Run) -> Figures:
     driven = [(time, amps) for time, amps in run.currents if 0 <= time <= run.ended]
     if start is None or not driven:
         return Figures()
-    mean, charge = _flow(driven)
+    mean, charge = _mean_and_charge(driven)
     noise = _NOISE_COUNTS * run.ampere
     first, last = run.profile.plateau(run.ended) or (0.0, 0.0)
     tail = [amps for time, amps in driven if last - _TAIL * (last - first) <= time < last]
     steady = fmean(tail) if tail and last - first >= _MIN_PLATEAU else None
     settled = None
     if steady:
-        tolerance = max(BAND * steady, noise) + 1e-9
+        tolerance = max(SETTLED_BAND * steady, noise) + 1e-9
         constant = [(time, amps) for time, amps in driven if start <= time < last]
         outside = (time for time, amps in constant if abs(amps - steady) > tolerance)
         last_outside = max(outside, default=-1.0)
@@ -206,7 +206,7 @@ def figures(run: Run) -> Figures:
     )
 
 
-def _flow(readings: Sequence[tuple[float, float]]) -> tuple[float | None, float]:
+def _mean_and_charge(readings: Sequence[tuple[float, float]]) -> tuple[float | None, float]:
     """Return the mean in A and the charge in mAh. Both exclude long gaps."""
     seconds = coulombs = 0.0
     for (start, before), (end, after) in pairwise(readings):

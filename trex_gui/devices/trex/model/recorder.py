@@ -19,7 +19,7 @@ from trex_gui.devices.trex.recording import (
     AuxiliarySetpointRecord,
     BoardSnapshot,
     Header,
-    OfBoardRecord,
+    OtherBoardRecord,
     Record,
     SetpointRecord,
     SettingsSnapshot,
@@ -90,7 +90,7 @@ class Recorder(RecordThread[Record]):
         if isinstance(report, Connected):
             self._others.setdefault(number, report.state.signature.model.current_unit)
         elif isinstance(report, Batch) and number in self._recorded:
-            self.put(*(OfBoardRecord(number, sample) for sample in report.samples))
+            self.put(*(OtherBoardRecord(number, sample) for sample in report.samples))
 
     @Slot(object)
     def _on_requested(self, request: SetpointRequest) -> None:
@@ -102,7 +102,7 @@ class Recorder(RecordThread[Record]):
                 if number in {None, own}:
                     self.put(record)
                 elif number in self._recorded:
-                    self.put(OfBoardRecord(number, record))
+                    self.put(OtherBoardRecord(number, record))
 
     @Slot()
     def _on_state_changed(self) -> None:

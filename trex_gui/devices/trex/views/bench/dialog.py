@@ -21,7 +21,7 @@ from trex_gui.core.texts import title_of
 from trex_gui.core.timing import FRAME_MS
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.bench.files import load_run, to_csv
-from trex_gui.devices.trex.bench.run import BAND, End, Figures, Run, figures
+from trex_gui.devices.trex.bench.run import SETTLED_BAND, End, Figures, Run, figures
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.bench.forms import PlanForm, TuningForm
@@ -297,7 +297,7 @@ def _rows() -> tuple[tuple[str, str, str, str], ...]:
             ),
         ),
         (
-            tr("Settled within {0:.0f} % after").format(100 * BAND),
+            tr("Settled within {0:.0f} % after").format(100 * SETTLED_BAND),
             "settled",
             "ms",
             tr(
