@@ -54,8 +54,8 @@ def diagnose(
 ) -> StudioError:
     """Probe the line, and return the error to report.
 
-    This takes one second on a silent local line. With CRC, probes with the other polynomials
-    take seven seconds. `quick` skips these probes. The line settings are restored at the end.
+    This takes one second on a silent local line. With CRC, the probes with other polynomials take
+    seven seconds. `quick` skips them. The line settings are restored at the end.
     """
     settings, wire = client.settings, client.transport
     explanation = explain(settings, echo=client.echo, error=error)
@@ -79,7 +79,7 @@ def diagnose(
 
 
 def _plans(settings: ConnectionSettings, *, quick: bool) -> list[list[Attempt]]:
-    """Return a plan of the likely probes.
+    """Return the likely probes, as the first plan.
 
     With CRC, a second plan contains the other polynomials, unless `quick` is True.
     """

@@ -60,7 +60,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 log = logging.getLogger(__name__)
 
-_STATUS_TIMEOUT = 5.0  # maximum seconds for a sample of each kind; at 1200 baud, they take 2 s
+_STATUS_TIMEOUT = 5.0  # maximum seconds for a sample of each kind; at 1200 baud, this takes 2 s
 _LEASE_TIMEOUT = 3.0  # maximum seconds until the server replies
 _WRITE_TIMEOUT = 60.0  # seconds; enough to write all settings, even at 1200 baud
 
@@ -127,7 +127,7 @@ class Trex:
             baud: rate in bit/s.
             detection: parity, or CRC-7 with this `polynomial`.
             stop_bits: 1 or 2.
-            device_number: 0 to 127 for one board of several; `None` for the compact protocol.
+            device_number: 0 to 127 to address one board; `None` for the compact protocol.
             polynomial: CRC-7 polynomial, 0x80 to 0xFF.
             reserved: numbers of other devices on the line. Requires a `device_number`.
             timeout: seconds added to the deadline of each reply.
@@ -441,7 +441,7 @@ class Trex:
         `user` is the waiting user who receives the lease.
 
         Raises:
-            BadRequest: `user` has not requested to drive.
+            BadRequest: `user` has not requested the lease.
         """
         self.stop()
         board = self._board
@@ -449,7 +449,7 @@ class Trex:
         if lease is None or not lease.is_mine:
             return
         if user and user not in lease.waiting:
-            raise BadRequest(f"{user} has not requested to drive.")
+            raise BadRequest(f"{user} has not requested the lease.")
         board.session.put(HandOver(user) if user else ReturnLease())
         board.session.wait_for(lambda: not board.session.has_lease, _LEASE_TIMEOUT)
 

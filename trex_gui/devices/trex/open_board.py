@@ -247,7 +247,9 @@ class OpenBoard:
                 self.driven.clear()
         match report:
             case Connected() if self.session.is_armed:
-                self._fail("The board was restarted or changed, so the motors were stopped.")
+                self._fail(
+                    "The board was restarted, or a setting was changed. The motors were stopped."
+                )
             case NotResponding(reason=reason):
                 self.session.is_armed = False
                 raise NoReply(self.named(f"The board has stopped responding: {reason}"))

@@ -46,7 +46,9 @@ TREX = DevicePlugin(
         "restore-defaults": _command(
             "parameters:restore_defaults", "Reset all parameters to factory defaults."
         ),
-        "motor": _command("motor:motor", "Run a motor for a time or until Ctrl-C, then stop it."),
+        "motor": _command(
+            "motor:motor", "Run a motor for a set time or until Ctrl-C, then stop it."
+        ),
         "stop": _command("motor:stop", "Stop all motors and wait for confirmation."),
         "serve": _command("serve:serve", "Serve the board to other computers over the network."),
         "robots": _command("serve:robots", "List the boards that are served on the network."),

@@ -24,8 +24,8 @@ from trex_gui.devices.trex.protocol.framing import Framing, crc7
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 QUIET = 0.13
-"""Seconds of silence after a probe. A board may reply to a misread probe. During its reply, it
-receives nothing. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
+"""Seconds of silence after a probe. A board may reply to a misread probe, and receives nothing
+during its reply. The longest reply, eleven bytes of eleven bits, takes 0.1 s at 1200 baud."""
 
 UNSAFE = frozenset(product((14400, 28800), (0x2E, 0x4E)))
 """Pairs of baud rate and checksum that are not probed at unknown settings. A board at 8/3 of the

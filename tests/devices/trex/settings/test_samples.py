@@ -11,7 +11,7 @@ from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.document import (
-    CONNECTION_PARAMETERS,
+    LINK_KEYS,
     Settings,
     serial_defaults,
     specs_for,
@@ -135,5 +135,5 @@ def test_golden_file_is_read_without_findings(model: str, firmware: str) -> None
 def test_serial_defaults_contain_only_connection_settings(model: str, firmware: str) -> None:
     keys = set(serial_defaults(device_table().model(model), firmware).parameters)
     assert keys >= {"uart_settings", "crc7_polynomial", "device_number"}
-    assert keys <= set(CONNECTION_PARAMETERS)
+    assert keys <= set(LINK_KEYS)
     assert "serial_timeout" not in keys

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     parameters_of,
 )
 
-CONNECTION_PARAMETERS = (  # a connection to the board depends on them
+LINK_KEYS = (  # a connection to the board depends on them
     ParameterKey.DEVICE_NUMBER,
     ParameterKey.UART_RESPONSE_DELAY,
     ParameterKey.CRC7_POLYNOMIAL,
@@ -107,4 +107,4 @@ def factory_settings(product: Model, firmware: str | None) -> Settings:
 
 
 def serial_defaults(product: Model, firmware: str | None) -> Settings:
-    return factory_settings(product, firmware).only(CONNECTION_PARAMETERS)
+    return factory_settings(product, firmware).only(LINK_KEYS)
