@@ -127,9 +127,8 @@ class GetMode(Command[Mode]):
         try:
             return Mode(reply.decode("latin-1"))
         except ValueError:
-            raise BadReply(
-                tr("{0:#04x} is not a TReX mode (R, A, r or a)").format(reply[0])
-            ) from None
+            text = tr("{0:#04x} is not a TReX mode (R, A, r or a)")
+            raise BadReply(text.format(reply[0])) from None
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,9 +179,8 @@ class _ChannelQuery(Command[ReplyT_co]):
 
     def data(self) -> bytes:
         if not 0 <= self.mask <= ALL_CHANNELS:
-            raise BadRequest(
-                tr("a channel mask must be 0 to {0}, not {1}").format(ALL_CHANNELS, self.mask)
-            )
+            text = tr("a channel mask must be 0 to {0}, not {1}")
+            raise BadRequest(text.format(ALL_CHANNELS, self.mask))
         return bytes([self.mask])
 
     @classmethod

@@ -88,22 +88,18 @@ def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
         case c.GetCalibration(channel=channel):
             return tr("get calibration of channel {0}").format(channel)
         case c.SetCalibration(channel=channel, calibration=calibration):
-            return tr("set calibration of channel {0}: {1}").format(
-                channel, _calibration(calibration)
-            )
+            text = tr("set calibration of channel {0}: {1}")
+            return text.format(channel, _calibration(calibration))
         case c.GetParameter(number=number):
             return tr("get {0}").format(_parameter(number, board))
         case c.SetParameter(number=number, value=value):
-            return tr("set {0} to {1}").format(
-                _parameter(number, board), _value(number, value, board)
-            )
+            name, physical = _parameter(number, board), _value(number, value, board)
+            return tr("set {0} to {1}").format(name, physical)
         case c.DriveMotor(motor=motor, drive=drive, accelerate=accelerate):
             return tr("{0} motor {1} to {2}").format(_verb(accelerate), motor, _drive(drive))
         case c.DriveBoth(motor1=first, motor2=second, accelerate=accelerate):
-            verb = _verb(accelerate)
-            return tr("{0} motor 1 to {1}, motor 2 to {2}").format(
-                verb, _drive(first), _drive(second)
-            )
+            text = tr("{0} motor 1 to {1}, motor 2 to {2}")
+            return text.format(_verb(accelerate), _drive(first), _drive(second))
         case c.DriveAuxiliary(speed=speed, accelerate=accelerate):
             return tr("{0} auxiliary motor to {1}").format(_verb(accelerate), speed)
     return type(command).__name__

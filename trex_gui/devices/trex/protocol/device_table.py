@@ -47,11 +47,8 @@ class PwmClock:
     def frequency(self, prescaler: int, maximum_wire: int) -> float:
         """Return the frequency in Hz. Raise BadRequest for an unknown prescaler."""
         if not 0 <= prescaler < len(self.divisors):
-            raise BadRequest(
-                tr("the PWM prescaler must be 0 to {0}, not {1}").format(
-                    len(self.divisors) - 1, prescaler
-                )
-            )
+            text = tr("the PWM prescaler must be 0 to {0}, not {1}")
+            raise BadRequest(text.format(len(self.divisors) - 1, prescaler))
         return self.clock / (self.divisors[prescaler] * (self.maximum(maximum_wire) + 1))
 
     def choices(self, highest: float) -> tuple[tuple[int, int], ...]:

@@ -32,9 +32,8 @@ def _table(polynomial: int) -> bytes:
 def check_polynomial(polynomial: int) -> int:
     """Return `polynomial`, or raise BadRequest if it is not 0x80-0xFF."""
     if not 0x80 <= polynomial <= 0xFF:
-        raise BadRequest(
-            tr("a CRC-7 polynomial must be 0x80 to 0xFF, not {0:#x}").format(polynomial)
-        )
+        text = tr("a CRC-7 polynomial must be 0x80 to 0xFF, not {0:#x}")
+        raise BadRequest(text.format(polynomial))
     return polynomial
 
 
@@ -208,9 +207,8 @@ class ReplyParser(Generic[ReplyT_co]):
         if size and self.framing.polynomial is not None:
             expected = crc7(payload, self.framing.polynomial)
             if reply[-1] != expected:
-                return Malformed(
-                    raw, tr("the CRC is {0:02X}, not {1:02X}").format(reply[-1], expected)
-                )
+                text = tr("the CRC is {0:02X}, not {1:02X}")
+                return Malformed(raw, text.format(reply[-1], expected))
         try:
             return Reply(raw, self.command.parse(payload))
         except BadReply as error:

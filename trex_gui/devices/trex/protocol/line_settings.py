@@ -54,9 +54,8 @@ class LineSettings(SerialFormat):
     def from_wire(cls, wire: int) -> "LineSettings":
         """Decode the value of parameter 0x7E. Raise BadRequest if it is invalid."""
         if not 0 <= wire <= 0x7F:
-            raise BadRequest(
-                tr("UART settings must be a wire value from 0 to 127, not {0}").format(wire)
-            )
+            text = tr("UART settings must be a wire value from 0 to 127, not {0}")
+            raise BadRequest(text.format(wire))
         code = wire & _BAUD_FIELD
         if code >= len(baud_rates()):
             raise BadRequest(tr("UART settings {0:#04x} name no baud rate").format(wire))
@@ -69,9 +68,8 @@ class LineSettings(SerialFormat):
             rates = ", ".join(map(str, baud_rates()))
             raise BadRequest(tr("a TReX runs at {0} baud, not {1}").format(rates, self.baud))
         if self.stop_bits not in {1, 2}:
-            raise BadRequest(
-                tr("the number of stop bits must be 1 or 2, not {0}").format(self.stop_bits)
-            )
+            text = tr("the number of stop bits must be 1 or 2, not {0}")
+            raise BadRequest(text.format(self.stop_bits))
         stop = _TWO_STOP_BITS if self.stop_bits == 2 else 0
         return baud_rates().index(self.baud) | self.detection | stop
 

@@ -283,12 +283,9 @@ class ParameterSpec:
         else:
             value = self._wire_of_number(text)
         if value is None or value not in self.valid:
-            shortened = text if len(text) <= 40 else f"{text[:40]}…"
-            raise BadRequest(
-                tr("{0} must be {1}, not {2}").format(
-                    self.name, self._range_in_words(), shortened or tr("empty")
-                )
-            )
+            shortened = (text if len(text) <= 40 else f"{text[:40]}…") or tr("empty")
+            message = tr("{0} must be {1}, not {2}")
+            raise BadRequest(message.format(self.name, self._range_in_words(), shortened))
         return value
 
     def _range_in_words(self) -> str:
@@ -398,10 +395,8 @@ class ParameterSet:
                 return spec
         similar = difflib.get_close_matches(normal, [spec.key for spec in self.specs], n=1)
         hint = tr("; did you mean {0}?").format(similar[0]) if similar else ""
-        message = tr("{0} {1} has no parameter {2!r}{3}").format(
-            self.model.name, self.firmware, key, hint
-        )
-        raise BadRequest(message)
+        text = tr("{0} {1} has no parameter {2!r}{3}")
+        raise BadRequest(text.format(self.model.name, self.firmware, key, hint))
 
     def number(self, number: int) -> ParameterSpec | None:
         return next((spec for spec in self.specs if spec.number == number), None)

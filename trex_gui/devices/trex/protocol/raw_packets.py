@@ -86,11 +86,8 @@ def parse_hexadecimal(text: str) -> bytes:
     if not data:
         raise BadRequest(tr("Enter bytes in hexadecimal, such as 86 1F."))
     if len(data) > _BYTE_LIMIT:
-        raise BadRequest(
-            tr("{0} bytes are too many: at most {1} can be sent at once.").format(
-                len(data), _BYTE_LIMIT
-            )
-        )
+        message = tr("{0} bytes are too many: at most {1} can be sent at once.")
+        raise BadRequest(message.format(len(data), _BYTE_LIMIT))
     return data
 
 
