@@ -132,11 +132,8 @@ def measure_neutral(samples: Sequence[ChannelSample], source: InputSource) -> Ne
         candidates = _movement(quiet, noise, spread, source), _jitter(invalid, spikes, total)
         problems = tuple(problem for problem in candidates if problem is not None)
         if not problems and noise > LIMITS[source].noisy:
-            problems = (
-                CalibrationProblem(
-                    ProblemKind.NOISE, source.name, (swing_text(noise / 2, source),)
-                ),
-            )
+            swing = swing_text(noise / 2, source)
+            problems = (CalibrationProblem(ProblemKind.NOISE, source.name, (swing,)),)
         if not problems and total >= _MIN_SAMPLES and source is InputSource.RC:
             problems = _stuck(counts, spread, seconds / (total - 1))
     return Neutral(source, round(median(counts)), noise, spread, invalid, total, seconds, problems)
@@ -190,9 +187,8 @@ def _movement(
         extremes = source.text(min(counts)), source.text(max(counts))
         return CalibrationProblem(ProblemKind.MOVED, source.name, extremes)
     if drifts:
-        return CalibrationProblem(
-            ProblemKind.MOVED, "UP" if drift > 0 else "DOWN", (source.text(abs(drift)),)
-        )
+        direction = "UP" if drift > 0 else "DOWN"
+        return CalibrationProblem(ProblemKind.MOVED, direction, (source.text(abs(drift)),))
     return None
 
 

@@ -45,11 +45,8 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
         return Proposal(None, reversed_now, "", (), problems)
     reasons = [_ends_reason(neutral, travel)]
     if neutral.noise > deadband_floor(neutral.source):
-        reasons.append(
-            tr("At rest the noise is {0}: the deadband is twice this value.").format(
-                neutral.noise_text
-            )
-        )
+        text = tr("At rest the noise is {0}: the deadband is twice this value.")
+        reasons.append(text.format(neutral.noise_text))
     reversed_, reversed_reason = _reversal(travel, reversed_now=reversed_now)
     return Proposal(calibration, reversed_, reversed_reason, tuple(reasons), problems)
 

@@ -272,9 +272,8 @@ class Travel:
         if shortest <= self.deadband:
             return CalibrationProblem(ProblemKind.ONE_DIRECTION, shorter.name)
         if shortest < least:
-            return CalibrationProblem(
-                ProblemKind.END_TOO_NEAR, shorter.name, (text(shortest), *needed)
-            )
+            values = text(shortest), *needed
+            return CalibrationProblem(ProblemKind.END_TOO_NEAR, shorter.name, values)
         if (problem := self._not_held()) is not None:
             return problem
         if shortest < _UNEVEN * longest:
@@ -287,9 +286,8 @@ class Travel:
             return CalibrationProblem(ProblemKind.NEVER_MOVED, "RC")
         at_rail = self.neutral <= _RAIL or self.neutral >= self.source.highest_count - _RAIL
         variant = "RAIL" if at_rail else "ANALOG"
-        return CalibrationProblem(
-            ProblemKind.NEVER_MOVED, variant, (self.source.text(self.neutral),)
-        )
+        text = self.source.text(self.neutral)
+        return CalibrationProblem(ProblemKind.NEVER_MOVED, variant, (text,))
 
     def _not_held(self) -> CalibrationProblem | None:
         ends = [way.name for way in Way if self.has_reached(way) and not self.is_held(way)]
