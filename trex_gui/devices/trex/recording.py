@@ -317,8 +317,7 @@ class BoardSnapshot(Newest):
                 self.setpoints = {**self.setpoints, motor: drive}
             case AuxiliarySetpointRecord(speed=speed):
                 self.auxiliary = speed
-            case Marker(kind=kind):
-                if kind == STOP:
-                    self.setpoints, self.auxiliary = {}, None
+            case Marker(kind=kind) if kind == STOP:
+                self.setpoints, self.auxiliary = {}, None
             case SettingsSnapshot(text=text):
                 self.settings = text

@@ -154,9 +154,8 @@ def _table(
     except csv.Error as error:
         raise BenchFileError(tr("line {0} or below: {1}").format(first + 1, error)) from error
     if not rows or rows[0] != _COLUMNS:
-        raise BenchFileError(
-            tr("line {0}: expected the columns {1}").format(first + 1, ", ".join(_COLUMNS))
-        )
+        text = tr("line {0}: expected the columns {1}")
+        raise BenchFileError(text.format(first + 1, ", ".join(_COLUMNS)))
     setpoints: list[tuple[float, int]] = []
     currents: list[tuple[float, float]] = []
     for number, row in enumerate(rows[1:], first + 2):
@@ -167,7 +166,6 @@ def _table(
             else:
                 setpoints.append((_number(time), int(speed)))
         except ValueError as error:
-            raise BenchFileError(
-                tr("line {0}: invalid row “{1}”").format(number, ",".join(row))
-            ) from error
+            text = tr("line {0}: invalid row “{1}”")
+            raise BenchFileError(text.format(number, ",".join(row))) from error
     return tuple(setpoints), tuple(currents)

@@ -73,7 +73,8 @@ class Action(Enum):
 _ARM = (Action.START_WATCHDOG,)
 _DROP = (Action.DROP_SETPOINTS,)
 _CONFIRM = (Action.CONFIRM_NOISY_STOPS,)
-_UNREACHABLE = (*_DROP, Action.FAIL_NOISY_STOPS)
+_FAIL = (Action.FAIL_NOISY_STOPS,)
+_UNREACHABLE = (*_DROP, *_FAIL)
 
 _ARMING: Mapping[tuple[Arming, OutputEvent], tuple[Arming, tuple[Action, ...]]] = {
     (Arming.INITIAL, OutputEvent.ARM): (Arming.ARMED, _ARM),
@@ -100,10 +101,7 @@ _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] 
     (Motion.DRIVEN, OutputEvent.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
     (Motion.DRIVEN, OutputEvent.STOP_NOT_ANSWERED): (Motion.STOP_UNCONFIRMED, ()),
     (Motion.STOP_UNCONFIRMED, OutputEvent.STOP_CONFIRMED): (Motion.STOPPED, _CONFIRM),
-    (Motion.STOP_UNCONFIRMED, OutputEvent.SETPOINT_SENT): (
-        Motion.DRIVEN,
-        (Action.FAIL_NOISY_STOPS,),
-    ),
+    (Motion.STOP_UNCONFIRMED, OutputEvent.SETPOINT_SENT): (Motion.DRIVEN, _FAIL),
 }
 """Transitions of `Motion`. A direct command does not end the retries of a stop."""
 
