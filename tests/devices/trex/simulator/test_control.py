@@ -120,7 +120,7 @@ def test_battery_command_sets_voltage_and_resistance(line: SimulatedBoards) -> N
 
 def test_eeprom_command_takes_effect_after_power_cycle(line: SimulatedBoards) -> None:
     assert control(line, "eeprom uart_settings 0x0A") == (
-        "ok uart_settings is 10; power cycle to use it"
+        "ok uart_settings is 10; takes effect after a power cycle"
     )
     assert show(line)["active_uart"]["baud"] == 19200
     control(line, "power cycle")

@@ -107,7 +107,7 @@ def _calibrated(**changes: float) -> str:
         ("[]", "does not begin"),
         ("{}", "does not begin"),
         (_document(model="trexjr"), "belongs to model trexjr"),
-        (_document(parameters=[]), "parameters is not a table"),
+        (_document(parameters=[]), '"parameters" is not a table'),
         (_document(parameters={"serial_timeout": 128}), "Serial Timeout"),
         (_document(parameters={"serial_timeout": True}), "serial_timeout is not a whole number"),
         (_document(parameters={"uart_settings": 0x0B}), "UART Settings"),

@@ -53,16 +53,16 @@ def test_start_current_falls_from_stall_to_free_current(constants: Constants) ->
     for _ in range(round(1 / TICK)):
         currents.append(physics.current_at(constants.battery))
         physics.advance(TICK, constants.battery, 0.0)
-    assert currents[0] == pytest.approx(constants.stall)
+    assert currents[0] == pytest.approx(constants.stall_current)
     assert all(after <= before for before, after in pairwise(currents))
-    assert currents[-1] == pytest.approx(constants.free, rel=0.02)
+    assert currents[-1] == pytest.approx(constants.free_current, rel=0.02)
 
 
 def test_sensor_shows_inrush_current(physics: MotorPhysics) -> None:
     inrush = reading(physics, FULL)
     run(physics, 2.0, FULL)
-    assert inrush > 0.8 * TREX.stall
-    assert reading(physics, FULL) == pytest.approx(TREX.free, abs=0.3)
+    assert inrush > 0.8 * TREX.stall_current
+    assert reading(physics, FULL) == pytest.approx(TREX.free_current, abs=0.3)
 
 
 def test_reversal_draws_more_current_than_start(physics: MotorPhysics) -> None:
@@ -70,7 +70,7 @@ def test_reversal_draws_more_current_than_start(physics: MotorPhysics) -> None:
     run(physics, 2.0, FULL)
     reversal = physics.current_at(-FULL)
     assert reversal < 0
-    assert -reversal == pytest.approx(2 * start - TREX.free, rel=0.02)
+    assert -reversal == pytest.approx(2 * start - TREX.free_current, rel=0.02)
     run(physics, 2.0, -FULL)
     assert physics.speed < 0
 
@@ -87,7 +87,7 @@ def test_current_follows_load_at_any_speed(
     assert abs(physics.speed * TREX.back_emf) == pytest.approx(abs(volts) - 0.4 * load, rel=0.02)
 
 
-@pytest.mark.parametrize("load", [TREX.stall, 31.0, 1000.0])
+@pytest.mark.parametrize("load", [TREX.stall_current, 31.0, 1000.0])
 @pytest.mark.parametrize("share", [0.25, 0.5, 1.0, -1.0])
 def test_load_of_stall_current_or_more_stalls_motor(
     physics: MotorPhysics, load: float, share: float
@@ -95,7 +95,7 @@ def test_load_of_stall_current_or_more_stalls_motor(
     physics.load = load
     run(physics, 3.0, share * FULL)
     assert physics.speed == 0
-    assert reading(physics, share * FULL) == pytest.approx(abs(share) * TREX.stall, abs=0.4)
+    assert reading(physics, share * FULL) == pytest.approx(abs(share) * TREX.stall_current, abs=0.4)
 
 
 def test_friction_stops_motor_without_reversing_it(physics: MotorPhysics) -> None:

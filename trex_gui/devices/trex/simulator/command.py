@@ -71,7 +71,9 @@ def _check_numbers(
     _context: click.Context, _option: click.Parameter, devices: tuple[DeviceOption, ...]
 ) -> tuple[DeviceOption, ...]:
     if len({device.number for device in devices}) < len(devices):
-        raise click.UsageError("each --device needs its own number: control lines begin with it")
+        raise click.UsageError(
+            "each --device needs a different number, which begins its control lines"
+        )
     return devices
 
 
@@ -135,7 +137,7 @@ def _choice(name: str, values: Sequence[str], default: str, help_text: str) -> c
 
 SIMULATOR = SimulatorPlugin(
     help="Control lines: channel, jumper, power, load, current, fault, battery, eeprom, accept, "
-    "factory, line, show, quit; a command without its arguments replies with its usage. With "
+    "factory, line, show, quit; a command with missing arguments replies with its usage. With "
     'several devices, a control line begins with a device number, as in "@9 power cycle".',
     options=(
         _choice("--model", _MODELS, "trex", "Model of the board."),
@@ -150,20 +152,20 @@ SIMULATOR = SimulatorPlugin(
         click.Option(
             ["--eeprom"],
             type=FileName(path_type=Path, dir_okay=False),
-            help="File for the board's EEPROM. With several devices, each has its own file, with "
-            "the device number before the suffix.",
+            help="File for the board's EEPROM. With several devices, each device has a file "
+            "with its number before the suffix.",
         ),
         _choice(
             "--error-shutdown",
             ("on", "off"),
             "on",
-            "Factory default of uart_error_shutdown. No source mentions the default.",
+            "Factory default of `uart_error_shutdown`, which no source mentions.",
         ),
         _choice(
             "--timeout-needs-shutdown",
             ("on", "off"),
             "off",
-            "Let the serial timeout stop motors only while uart_error_shutdown is on. The "
+            "Let the serial timeout stop motors only while `uart_error_shutdown` is on. The "
             "behaviour of a real TReX is unknown.",
         ),
         _choice(

@@ -75,7 +75,7 @@ def report(board: Board) -> dict[str, Any]:
                 "fault": physics.fault,
                 "pwm_hz": round(memory.pwm_frequency(number), 1),
                 "load": physics.load,
-                "stall": round(physics.constants.stall, 1),
+                "stall": round(physics.constants.stall_current, 1),
                 "rpm": round(physics.rpm),
             }
             for number, motor, physics in zip((1, 2), board.motors, board.physics, strict=True)
@@ -223,7 +223,7 @@ def _eeprom(board: Board, key: str, value: str) -> str:
     except KeyError:
         raise ValueError(f"there is no parameter {key!r}") from None
     _require_saved(board)
-    return f"{key} is {board.eeprom[key]}; power cycle to use it"
+    return f"{key} is {board.eeprom[key]}; takes effect after a power cycle"
 
 
 def _accept(board: Board, key: str, highest: str, mask: str = "127") -> str:
@@ -239,7 +239,7 @@ def _accept(board: Board, key: str, highest: str, mask: str = "127") -> str:
 def _factory(board: Board) -> str:
     board.factory_reset()
     _require_saved(board)
-    return "as new"
+    return "the board is in its initial state"
 
 
 def _require_saved(board: Board) -> None:
@@ -258,7 +258,7 @@ def _wire(line: SimulatedBoards, *words: str) -> str:
     match words:
         case ["error", "off"]:
             line.faults.errors.clear()
-            return "no byte has an error"
+            return "no byte will have an error"
         case ["error", ("framing" | "parity" | "overrun") as name, *rest] if len(rest) < 2:
             count = amount(rest[0], highest=10_000) if rest else 1
             line.faults.errors.extend([ReceiveError(name)] * count)

@@ -66,7 +66,7 @@ class BoardStation:
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
     ) -> None:
         if error is ReceiveError.PARITY and self.line_format.parity is Parity.NONE:
-            error = None  # a board without parity does not detect it
+            error = None  # a board without parity detects no parity errors
         if host is not None:
             error = self._format_error(host) or error
         self._receive(byte, error, begun)
@@ -191,7 +191,7 @@ class SimulatedBoards(SimulatedLine):
         self, boards: Sequence[Board], *, echo: bool = False, paced: bool = True, seed: int = 0
     ) -> None:
         if not boards:
-            raise ValueError("a line needs a board")
+            raise ValueError("a line needs at least one board")
         super().__init__(echo=echo, paced=paced, seed=seed, noisy_bits=9)
         self.boards = tuple(boards)
         self.numbers = tuple(board.eeprom[ParameterKey.DEVICE_NUMBER] for board in boards)

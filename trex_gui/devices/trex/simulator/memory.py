@@ -164,7 +164,7 @@ class Eeprom:
             raise ValueError(f"it belongs to model {document.get('model')}, not {self.model.key}")
         parameters = document.get("parameters", {})
         if not isinstance(parameters, dict):
-            raise TypeError("parameters is not a table")
+            raise TypeError('"parameters" is not a table')
         for key, value in parameters.items():
             if key not in self._values:
                 raise ValueError(f"there is no parameter {key}")
@@ -176,7 +176,7 @@ class Eeprom:
             if rows is None:
                 continue
             if not isinstance(rows, list) or len(rows) != len(CHANNELS):
-                raise ValueError(f"{name} is not a list of {len(CHANNELS)}")
+                raise ValueError(f"{name} is not a list of {len(CHANNELS)} calibrations")
             for channel, row in zip(CHANNELS, rows, strict=True):
                 self._calibrations[source][channel] = _read_calibration(
                     f"{name}, channel {channel}", row

@@ -63,12 +63,12 @@ class Motor:
     def update(self, settings: MotorSettings, current: int) -> bool:
         """Advance by 10 ms. Return whether the current, in counts, is over the limit."""
         limit = 2 * settings.current_limit
-        over = 0 < limit < current
-        if over and self.direction is self.target_direction is not MotorDirection.BRAKE:
+        is_over_limit = 0 < limit < current
+        if is_over_limit and self.direction is self.target_direction is not MotorDirection.BRAKE:
             self._limit(settings.current_limit_p, current - limit)
         else:
             self._follow_target(settings)
-        return over
+        return is_over_limit
 
     def _limit(self, gain: int, excess: int) -> None:
         """Lower the speed immediately, in proportion to the excess. The formula is inferred."""
@@ -179,9 +179,9 @@ class SerialControl:
     def set_control(self, now: float, timeout: int, *, in_control: bool, shut_down: bool) -> None:
         """Start or end serial control. At the start, apply the latest commands.
 
-        Commands from before serial control apply, too (User's Guide 4.a). Inferred: a motor without
-        a command stops. So do all motors after `timeout`, the serial timeout in tenths of a second
-        (0: off), with `shut_down`.
+        Commands that arrived before serial control apply, too (User's Guide 4.a). Inferred: a motor
+        without a command stops. With `shut_down`, all motors stop if the serial timeout has
+        expired. `timeout` is in tenths of a second, or 0 if the serial timeout is off.
         """
         has_gained = in_control and not self.in_control
         self.in_control = in_control

@@ -1,8 +1,8 @@
 """Battery, two DC motors with loads, and current sensors.
 
-A motor has a resistance, a back-EMF, an inertia and dry friction. Its current is high at a start or
-a reversal, falls as the speed rises, and rises with the load up to the stall current. The battery
-voltage sags under the currents of both motors.
+A motor has a resistance, a back-EMF, an inertia and dry friction. The current is high when the
+motor starts or reverses, falls as the speed rises, and rises with the load up to the stall current.
+The battery voltage sags under the currents of both motors.
 """
 
 import math
@@ -21,11 +21,11 @@ class Constants:
     resistance: float  # ohm, of motor, driver and wires
     back_emf: float  # V s/rad; the torque constant in N m/A has the same value
     inertia: float  # kg m2, of rotor and gears, referred to the rotor
-    free: float  # A without load, due to friction of motor and gears
+    free_current: float  # A without load, due to friction of motor and gears
     light_load: float  # A for a robot on a flat floor
 
     @property
-    def stall(self) -> float:
+    def stall_current(self) -> float:
         return self.battery / self.resistance
 
 
@@ -38,7 +38,7 @@ CONSTANTS = {
         resistance=0.4,  # stalls at 30 A; continuous rating 13 A (sourced: VNH2SP30 carrier)
         back_emf=7.33e-3,  # 15,000 rpm at 12 V, for a motor of size 550
         inertia=8e-6,  # time constant of 60 ms, which is typical for this size
-        free=1.2,  # 4 % of the stall current, which is typical with a gearbox
+        free_current=1.2,  # 4 % of the stall current, which is typical with a gearbox
         light_load=3.0,
     ),
     "trexjr": Constants(
@@ -48,7 +48,7 @@ CONSTANTS = {
         resistance=2.4,  # stalls at 5 A; continuous rating 2.5 A (sourced)
         back_emf=1.1e-2,  # 10,000 rpm at 12 V, for a small gear motor
         inertia=3e-6,  # time constant of 60 ms
-        free=0.2,
+        free_current=0.2,
         light_load=0.8,
     ),
 }
@@ -59,7 +59,7 @@ _NOISE_COUNTS = 0.3  # standard deviation of a reading, which is an average of 6
 class MotorPhysics:
     def __init__(self, constants: Constants, current_unit: float, seed: int) -> None:
         self.constants = constants
-        self.initial_load = constants.free  # A; initial value of `load`
+        self.initial_load = constants.free_current  # A; initial value of `load`
         self._unit = current_unit
         self._random = random.Random(seed)  # noqa: S311 - noise, not secrets
         self._charge = 0.0  # A s since the last measurement
@@ -95,7 +95,7 @@ class MotorPhysics:
         else:  # the driver shorts the motor on the low side, where the sensor sees no current
             current = -brake * constants.back_emf * self.speed / constants.resistance
         gain = constants.back_emf / constants.inertia * seconds
-        friction = gain * max(self.load, constants.free)
+        friction = gain * max(self.load, constants.free_current)
         speed = self.speed + gain * current
         self.speed = math.copysign(max(0.0, abs(speed) - friction), speed)
 

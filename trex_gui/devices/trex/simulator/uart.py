@@ -47,8 +47,8 @@ def remainder(data: bytes, polynomial: int) -> int:
 class SerialPort:
     """UART and packet parser of one board.
 
-    The parser pauses for a write to the EEPROM and for the response delay. It processes the bytes
-    received during a pause while the reply is transmitted.
+    The parser pauses for a write to the EEPROM and for the response delay. Bytes that arrive during
+    a pause are processed after it, while the reply is transmitted.
 
     `outgoing` is the send buffer. `pause` is the time in seconds from the last byte to `resume`.
     """
@@ -200,7 +200,7 @@ class SerialPort:
         self.board.report_error(UartError.FORMAT)
 
 
-class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
+class _IllogicalData(Exception):  # noqa: N818 - a term of the documentation
     """A data byte has an invalid value. The optional argument is the reply."""
 
 
@@ -270,7 +270,7 @@ def _drive_one(board: Board, command: int, data: bytes) -> bytes:
 
 
 def _drive_both(board: Board, command: int, data: bytes) -> bytes:
-    """0xD0-0xEF: bits 1:0 are the direction of motor 1, and bits 3:2 that of motor 2."""
+    """0xD0-0xEF: bits 1:0 are the direction of motor 1, bits 3:2 the direction of motor 2."""
     accelerate = command >= 0xE0
     board.serial.drive(1, MotorDirection.from_bits(command), data[0], accelerate=accelerate)
     board.serial.drive(2, MotorDirection.from_bits(command >> 2), data[1], accelerate=accelerate)
