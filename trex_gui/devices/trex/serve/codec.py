@@ -277,8 +277,8 @@ def _decode_error(data: Any) -> StudioError | None:
     match data:
         case None:
             return None
-        case ["Rejected", str(result), str(what)]:
-            return Rejected(what, ResultCode[result])
+        case ["Rejected", str(result), str(name)]:
+            return Rejected(name, ResultCode[result])
         case [str(kind), str(code), *fields] if all(isinstance(field, _FIELD) for field in fields):
             arguments = [ErrorCode[code], *fields] if code else fields
             error: StudioError = _ERRORS[kind](*arguments)

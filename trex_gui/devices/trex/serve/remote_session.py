@@ -111,7 +111,7 @@ class RemoteSession:
         self._seen = 0.0  # newest server time in a report
         self._offset = math.inf  # this clock minus the server's clock (upper bound)
         self._heard_at = 0.0  # time of the last report
-        self._beat_at = 0.0  # time of the next heartbeat
+        self._heartbeat_at = 0.0  # time of the next heartbeat
         self._watched = SetWatched(True)
         self._welcome: Welcome | None = None
         self._lease = LeaseChanged()
@@ -178,10 +178,10 @@ class RemoteSession:
 
     def _step(self) -> None:
         now = self._clock()
-        if now >= self._beat_at:
-            self._beat_at = now + _HEARTBEAT
+        if now >= self._heartbeat_at:
+            self._heartbeat_at = now + _HEARTBEAT
             self._send(Alive())
-        self._handle_requests(min(_SLICE, max(0.0, self._beat_at - now)))
+        self._handle_requests(min(_SLICE, max(0.0, self._heartbeat_at - now)))
         self._handle_reports()
         self._check_silence()
         if self._waiting is not None and self._clock() >= self._waiting.deadline:

@@ -1,4 +1,4 @@
-"""Scan for served boards on a network, and stop them."""
+"""Client that finds and stops served boards on a network."""
 
 import json
 from collections.abc import Iterable
@@ -23,7 +23,7 @@ class Robots:
     """Client of all served boards. Connections to the hosts stay open until `close`."""
 
     def __init__(self) -> None:
-        self._newest: dict[Address, Any] = {}  # address without a name → newest connection
+        self._newest: dict[Address, Any] = {}  # address without a board name → newest connection
         self._opened: list[Any] = []
 
     def __enter__(self) -> Self:
@@ -38,7 +38,7 @@ class Robots:
             connection.close()
 
     def find(self, hosts: Iterable[str] = ()) -> list[dict[str, Any]]:
-        """Return the info and `url` of each served board, sorted by name.
+        """Return the info of each served board with its `url`, sorted by name.
 
         Raises:
             StudioError: a host or the secrets file is invalid, or a scan needs more packages.
@@ -51,8 +51,9 @@ class Robots:
     def stop(self, names: Iterable[str]) -> dict[str, str]:
         """Stop served boards simultaneously.
 
-        `names` are board names, URLs or `ALL`. Return URL → error, which is empty for a confirmed
-        stop. The result also contains an error for each name that was not found.
+        `names` are board names, URLs or `ALL`. The result contains a text for each URL: the error,
+        or an empty text for a confirmed stop. It also contains an error for each name that was not
+        found.
         """
         addresses, missing = [], set[str]()
         for name in names:
@@ -89,7 +90,7 @@ class Robots:
         return str(json.loads(replies[0])["error"]) if replies else tr("It did not respond.")
 
     def _get(self, address: Address, *parts: str, seconds: float) -> list[bytes]:
-        """Return the replies of a host. Reconnect if the open connection brings no reply."""
+        """Return the replies of a host. Reconnect if there is no reply over the open connection."""
         host, network = replace(address, name=""), _network()
         if connection := self._newest.get(host):
             replies: list[bytes] = network.get(connection, *parts, seconds=_REUSE_TIMEOUT_S)

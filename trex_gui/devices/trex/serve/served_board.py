@@ -46,12 +46,12 @@ _MESSAGE_LIMIT = 300  # maximum number of messages in a queue, which span about 
 
 
 class _Outbox:
-    """Queue of messages to a client. Only its own thread waits for the client."""
+    """Queue of messages to a client. Only the thread of the queue waits for the client."""
 
     def __init__(self, session: zenoh.Session, name: str, on_full: Callable[[], None]) -> None:
         self._messages = queue.Queue[bytes | None](_MESSAGE_LIMIT)
         self._on_full = on_full
-        self._is_full = False  # True once the queue was full, because the client is too slow
+        self._is_full = False  # True after the queue was full for the first time
         self._publisher = declare_publisher(session, name)
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -138,7 +138,7 @@ class ServedBoard:
     def run(self, is_ended: Callable[[], object]) -> Closed:
         """Serve until `is_ended` returns true, then stop the motors and close the line.
 
-        The server reopens a lost line. Return the last report of the session.
+        The server reopens a lost line. Returns the last report of the session.
         """
         last_error = ""
         while not is_ended():

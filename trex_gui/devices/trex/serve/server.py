@@ -1,4 +1,4 @@
-"""Server of a line for several clients, without the network.
+"""Server of a line for several clients, independent of the network.
 
 Methods may be called from any thread. A stop never waits for a client.
 """
@@ -140,7 +140,7 @@ class BoardServer:
             if self.lease.seconds_left(now) <= 0 and self.lease.holder is not None:
                 log.warning("no heartbeat from %s: stopping the motors", self.lease.holder.user)
                 self._end_lease(self.lease.holder)
-            for client in self._all:
+            for client in self._all_clients:
                 if now - client.heard_at > _CLIENT_TIMEOUT:
                     self._remove(client)
                 elif now - client.sent_at >= _TICK_INTERVAL:
@@ -191,17 +191,17 @@ class BoardServer:
             if party in self._clients:
                 self._remove(self._clients[party])
 
-    def stop(self, then: Callable[[Outcome], None]) -> None:
-        """Stop the motors. `then` receives the outcome."""
+    def stop(self, on_outcome: Callable[[Outcome], None]) -> None:
+        """Stop the motors. `on_outcome` receives the outcome."""
         with self._lock:
             stop_id = next(self._ids)
-            self._watched_stops[stop_id] = then
+            self._watched_stops[stop_id] = on_outcome
             self._speeds.clear()
             self._request(Stop(stop_id))
 
     @property
     def shows_traffic(self) -> bool:
-        return any(client.watched.traffic for client in self._all)
+        return any(client.watched.traffic for client in self._all_clients)
 
     @property
     def parties(self) -> set[Party]:
@@ -210,7 +210,7 @@ class BoardServer:
 
     @property
     def users(self) -> tuple[str, ...]:
-        return tuple(client.party.user for client in self._all)
+        return tuple(client.party.user for client in self._all_clients)
 
     def exceeds_limit(self, user: str) -> bool:
         """Count a request of the user. Return whether the user has exceeded `MAX_REQUESTS`."""
@@ -229,7 +229,7 @@ class BoardServer:
         client = _Client(party, counter, counter, now, sent - now)
         if hello.version != VERSION:
             self._refuse("another version")
-            text = f"{self.name} needs version {VERSION} of the messages, not {hello.version}."
+            text = f"{self.name} needs messages of version {VERSION}, not {hello.version}."
             self._post(client, encode_report(Refused(text)), now)
             return
         previous = self._clients.get(party)
@@ -304,7 +304,7 @@ class BoardServer:
         elif isinstance(request, SetpointRequest) and not _is_possible(request):
             self._refuse("impossible setpoint")
         elif isinstance(request, Heartbeat):
-            self._request(Heartbeat())  # a new one has the time of this computer
+            self._request(Heartbeat())  # a new heartbeat has the time of this computer
         elif number is not None and isinstance(request, SetpointRequest):
             self._pending_stop = 0
             self._record_speeds(None if number == self._first_number else number, request)
@@ -439,7 +439,7 @@ class BoardServer:
                     self._record_state(number, state)
                 case Connected() | GuardianChanged() | NotResponding() | SetpointsChanged():
                     self._record_state(None, report)
-            clients = (client for client in self._all if _is_for(report, client.watched))
+            clients = (client for client in self._all_clients if _is_for(report, client.watched))
             self._post_all(report, clients)
 
     def _record_state(self, board: int | None, report: BoardReport) -> None:
@@ -461,7 +461,7 @@ class BoardServer:
 
     def _report_lease_stop(self, *, confirmed: bool) -> None:
         holder = self.lease.holder if confirmed else None
-        others = (client for client in self._all if client.party != holder)
+        others = (client for client in self._all_clients if client.party != holder)
         self._post_all(MotorsStopped(ErrorCode.LEASE_LOST, confirmed), others)
 
     def _report_setpoints(self) -> None:
@@ -495,7 +495,7 @@ class BoardServer:
         connected = replace(connected, state=written.state, settings=written.settings)
         self._newest[board][Connected] = connected
         reloaded = replace(connected, occasion=ReadReason.RELOADED)
-        others = (client for client in self._all if client.party not in writers)
+        others = (client for client in self._all_clients if client.party not in writers)
         self._post_all(_of_board(board, reloaded), others)
 
     def end(self, error: StudioError | None, *, may_move: bool) -> None:
@@ -522,13 +522,13 @@ class BoardServer:
     def _lease_state(self) -> tuple[object, ...]:
         return self.lease.holder, self.lease.number, tuple(self.lease.waiting)
 
-    def _report_lease(self, only: Sequence[_Client] = ()) -> None:
+    def _report_lease(self, clients: Sequence[_Client] = ()) -> None:
         now = self._clock()
-        for client in only or self._all:
+        for client in clients or self._all_clients:
             self._post(client, encode_report(self._lease_for(client)), now)
 
     @property
-    def _all(self) -> list[_Client]:
+    def _all_clients(self) -> list[_Client]:
         return list(self._clients.values())
 
     def _post_all(self, report: Report, clients: Iterable[_Client]) -> None:
