@@ -11,7 +11,7 @@ from trex_gui.devices.trex.board.memory import BoardMemory
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.settings.board_records import BoardRecord, Known
+from trex_gui.devices.trex.settings.board_records import BoardRecord, Provenance
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
@@ -175,7 +175,7 @@ def test_changes_before_the_record_is_loaded_are_recorded(harness: MemoryHarness
     assert memory.applied.parameters["serial_timeout"] == 5
     calibration, known = memory.hidden_calibration(2, RC)
     assert calibration == DEFAULT_CALIBRATION[RC]
-    assert known == Known(NOW, True)
+    assert known == Provenance(NOW, True)
     memory.close_board()
     assert memory.applied is None
 

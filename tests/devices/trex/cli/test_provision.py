@@ -164,9 +164,9 @@ def test_record_that_another_program_changed_is_not_overwritten(tmp_path: Path) 
     file = tmp_path / "record.csv"
     first, second = ProvisionRecord(file), ProvisionRecord(file)
     board = ProvisionedBoard("now", "robot 1", 1, "TReX 1.2", "", "", "ok", "new")
-    first.put(board)
+    first.add(board)
     first.save()
-    second.put(board)
+    second.add(board)
     with pytest.raises(BadRequest, match="Another program"):
         second.save()
     assert len(rows_of(file)) == 1

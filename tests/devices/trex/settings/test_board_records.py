@@ -12,7 +12,7 @@ from trex_gui.core.transport.adapters import Adapter
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, Known
+from trex_gui.devices.trex.settings.board_records import BoardRecord, BoardRecords, Provenance
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.reader import read_settings
@@ -86,16 +86,16 @@ def test_record_has_calibrations_of_both_sources_and_their_age() -> None:
     key = CalibrationKey.RC_CHANNEL_1
     learned = replace(stored(), calibrations={**stored().calibrations, key: LEARNED})
     record = EMPTY.after_reading(learned, RC, FIRST).after_reading(stored(ANALOG), ANALOG, SECOND)
-    assert record.known == {RC: Known(FIRST, False), ANALOG: Known(SECOND, False)}
+    assert record.provenance == {RC: Provenance(FIRST, False), ANALOG: Provenance(SECOND, False)}
     settings, comments = record.with_hidden(stored(ANALOG), ANALOG)
     assert settings.calibrations == {**FACTORY.calibrations, key: LEARNED}
     assert comments == ["rc calibrations: read 2026-03-14T15:09:00+00:00"]
 
     assert record.after_reading(stored(), RC, SECOND).settings.calibrations[key] != LEARNED
     applied = record.after_writing(learned, RC, (), FIRST)
-    assert applied.after_reading(learned, RC, SECOND).known[RC] == Known(SECOND, True)
+    assert applied.after_reading(learned, RC, SECOND).provenance[RC] == Provenance(SECOND, True)
     record = applied.after_reading(stored(), RC, SECOND)
-    assert record.known[RC] == Known(FIRST, True)
+    assert record.provenance[RC] == Provenance(FIRST, True)
     assert record.settings.calibrations[key] == LEARNED, "the applied calibration is retained"
     assert differences(record, stored()) == {key: (stored().calibrations[key], LEARNED)}
     assert not differences(record, stored(ANALOG))

@@ -19,7 +19,7 @@ def test_conversion_for_same_board_changes_no_setting() -> None:
     settings = factory()
     conversion = convert(settings, TREX, "1.2")
     assert conversion.settings == settings
-    assert not conversion.alters
+    assert not conversion.has_changes
     assert set(fates(conversion).values()) == {Fate.CARRIED_OVER}
 
 

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.settings.board_records import BoardRecord, Known, has_factory_line
+from trex_gui.devices.trex.settings.board_records import BoardRecord, Provenance, has_factory_line
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
@@ -80,13 +80,13 @@ class BoardMemory:
 
     def hidden_calibration(
         self, channel: int, source: InputSource
-    ) -> tuple[Calibration | None, Known | None]:
+    ) -> tuple[Calibration | None, Provenance | None]:
         """Return a calibration from the record, and the time when it was written or read."""
         if self.record is None:
             return None, None
         calibration = self.record.settings.calibrations.get(CalibrationKey.of(source, channel))
-        known = None if calibration is None else self.record.known.get(source)
-        return calibration, known
+        provenance = None if calibration is None else self.record.provenance.get(source)
+        return calibration, provenance
 
     @property
     def expected(self) -> BoardRecord | None:

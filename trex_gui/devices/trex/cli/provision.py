@@ -24,7 +24,7 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.devices.trex.settings.provision_record import (
-    NOT_TRIED,
+    ENDED_IN_MOTOR_TEST,
     ProvisionedBoard,
     ProvisionRecord,
     differing,
@@ -33,8 +33,9 @@ from trex_gui.devices.trex.settings.provision_record import (
 )
 
 _RETRY_S = 0.5  # seconds between two attempts to reach a board
-_PULSE_SPEED = 30  # 0 to 127
-_FIRST_S, _NEXT_S = 0.8, 0.25  # maximum seconds until the first and the next repeat of a held key
+_PULSE_SPEED = 30  # on a scale of 0 to 127
+_FIRST_REPEAT = 0.8  # maximum seconds from the press of a key to its first repeat
+_NEXT_REPEAT = 0.25  # maximum seconds between two repeats of a held key
 _ENTER = {"\r", "\n"}
 _END = {"q", "\x04", ""}  # q, Ctrl-D in a terminal, or the end of a pipe
 
@@ -50,7 +51,9 @@ _END = {"q", "\x04", ""}  # q, Ctrl-D in a terminal, or the end of a pipe
     show_default=True,
     help="CSV file with a line for each board.",
 )
-@click.option("--name", default="robot {number}", show_default=True, help="Names for new boards.")
+@click.option(
+    "--name", default="robot {number}", show_default=True, help="Name pattern for new boards."
+)
 @click.option(
     "--first",
     type=click.IntRange(0, NUMBERS - 1),
@@ -72,11 +75,12 @@ def provision(
     limit: int | None,
     **options: Any,
 ) -> None:
-    """Set up one board after another with the settings of PROFILE, on the same cable.
+    """Set up boards with the settings of PROFILE, one after another on the same cable.
 
     Waits for a board, assigns a free device number and a name to a new board, and shows the
-    differences. Press Enter to write them, s to skip the board, or q to end. Every value is read
-    back, and a line is added to the record. Then unplug the board and connect the next board.
+    differences. Press Enter to write the settings, s to skip the board, or q to end. Every value
+    is read back, and a line is added to the record. Then unplug the board and connect the next
+    board.
 
     Boards have no serial number. A board whose device number is in the record keeps this number,
     and the record says whether its calibrations have changed.
@@ -84,7 +88,7 @@ def provision(
     link = link_settings(options)
     if link.device_number is not None:
         raise click.UsageError(
-            "provision sets up one board at a time and cannot use the expanded protocol."
+            "`trexcmd provision` sets up one board at a time and cannot use the expanded protocol."
         )
     if pulse and not sys.stdin.isatty():
         raise click.UsageError("--pulse needs a terminal, because a pipe cannot report a held key.")
@@ -160,7 +164,7 @@ class _Setup:
             return False
         trex.wait(0.05)  # raises NoReply if the board was unplugged
         if key in _ENTER:
-            self._save(board)  # record the number before the board can have it
+            self._save(board)  # record the number before the board stores it
             result = self._write(trex, board.number, rows)
             if trex.is_responding:
                 board = replace(board, calibrations=fingerprint(settings_of(trex.state)))
@@ -172,7 +176,7 @@ class _Setup:
         return True
 
     def _save(self, board: ProvisionedBoard) -> None:
-        self.record.put(board)
+        self.record.add(board)
         while True:
             try:
                 self.record.save()
@@ -195,7 +199,7 @@ class _Setup:
                 with pressed_keys() as typed:
                     for motor in (1, 2):
                         if not pulse(trex, motor, typed):
-                            return NOT_TRIED
+                            return ENDED_IN_MOTOR_TEST
         except StudioError as error:
             return str(error)
         return result_text(self.target, settings_of(trex.state), remaining)
@@ -217,7 +221,7 @@ def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
         if " " in keys:
             pressed_at, presses = clock(), presses + 1
             trex.drive(*((_PULSE_SPEED, None) if motor == 1 else (None, _PULSE_SPEED)))
-        elif presses and clock() - pressed_at > (_FIRST_S if presses == 1 else _NEXT_S):
+        elif presses and clock() - pressed_at > (_FIRST_REPEAT if presses == 1 else _NEXT_REPEAT):
             presses = 0
             trex.stop()
             typed()  # drop keys typed during the stop

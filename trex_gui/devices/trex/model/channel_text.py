@@ -7,7 +7,7 @@ from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
-from trex_gui.devices.trex.settings.board_records import Known
+from trex_gui.devices.trex.settings.board_records import Provenance
 from trex_gui.ui.translations import error_sentence, local_time
 from trex_gui.ui.units import units
 
@@ -117,10 +117,10 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
     return text.format(tr(SOURCE_NAMES[mode.source]), tr(SOURCE_NAMES[source]), source.word)
 
 
-def known_text(known: Known) -> str:
+def provenance_text(provenance: Provenance) -> str:
     """Return the origin and time of a calibration, such as `read 2026-03-14 15:09`."""
-    text = tr("applied {0}") if known.is_applied else tr("read {0}")
-    return text.format(local_time(known.time))
+    text = tr("applied {0}") if provenance.is_applied else tr("read {0}")
+    return text.format(local_time(provenance.time))
 
 
 def write_failure(error: StudioError) -> str:

@@ -19,7 +19,7 @@ from trex_gui.devices.trex.settings.comparison import (
 )
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.provision_record import (
-    NOT_TRIED,
+    ENDED_IN_MOTOR_TEST,
     ProvisionedBoard,
     ProvisionRecord,
     differing,
@@ -86,7 +86,7 @@ class Provision(QObject):
     def finish_motors(self, *, turned: bool) -> None:
         if self.step is ProvisionStep.MOTORS and self.board is not None:
             self.pulses.stop("")
-            self._finish(self.board if turned else replace(self.board, result=NOT_TRIED))
+            self._finish(self.board if turned else replace(self.board, result=ENDED_IN_MOTOR_TEST))
 
     def retry(self) -> None:
         if self.problem and self._after_saving is not None and self.board is not None:
@@ -201,7 +201,7 @@ class Provision(QObject):
         if (record := self._record) is None:
             return
         self.board, self._after_saving, self.problem = board, then, ""
-        record.put(board)
+        record.add(board)
         in_background(self, record.save, lambda _: self._on_saved(), self._on_not_saved)
         self.changed.emit()
 

@@ -25,7 +25,7 @@ class AcceptedValues:
     def of(self, board: Signature) -> Accepted:
         """Return the values that boards with this model and firmware have stored.
 
-        An unusable file counts as empty, so the user must confirm such values again.
+        An unusable file counts as empty, so the user must confirm these values again.
         """
         entry = self._read().get(_name(board))
         return {

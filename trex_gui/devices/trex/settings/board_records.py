@@ -37,8 +37,8 @@ _NEVER = datetime.min.replace(tzinfo=UTC)
 
 
 @dataclass(frozen=True, slots=True)
-class Known:
-    """Time when values were last applied or read."""
+class Provenance:
+    """Time and kind of the last operation that confirmed values."""
 
     time: datetime  # in UTC
     is_applied: bool  # False if the values were only read
@@ -50,14 +50,14 @@ class BoardRecord:
 
     settings: Settings
     applied: datetime | None = None  # time when parameters were last applied; `None`: never
-    known: Mapping[InputSource, Known] = field(default_factory=dict)  # for the calibrations
+    provenance: Mapping[InputSource, Provenance] = field(default_factory=dict)  # of calibrations
     adapter: str = ""  # key of the last adapter; empty if unknown
     trial: TimeoutTrial | None = None  # serial timeout trial; `None`: never tried
 
     @property
     def time(self) -> datetime | None:
         """Time when values of the record were last applied or read, or `None` for never."""
-        times = [known.time for known in self.known.values()]
+        times = [provenance.time for provenance in self.provenance.values()]
         return max([*times, self.applied] if self.applied else times, default=None)
 
     def calibrations(self, source: InputSource) -> dict[CalibrationKey, Calibration]:
@@ -69,7 +69,7 @@ class BoardRecord:
         applied = {
             key: value
             for key, value in self.settings.calibrations.items()
-            if key in stored.calibrations and self.known[key.source].is_applied
+            if key in stored.calibrations and self.provenance[key.source].is_applied
         }
         return replace(self.settings, firmware=stored.firmware, calibrations=applied)
 
@@ -81,16 +81,16 @@ class BoardRecord:
 
     def after_reading(self, stored: Settings, source: InputSource, now: datetime) -> "BoardRecord":
         """Add the calibrations of `source`, unless different calibrations were applied."""
-        known = self.known.get(source)
-        if known is not None and known.is_applied:
+        provenance = self.provenance.get(source)
+        if provenance is not None and provenance.is_applied:
             if self.calibrations(source) != stored.calibrations:
                 return self
-            return replace(self, known={**self.known, source: Known(now, True)})
+            return replace(self, provenance={**self.provenance, source: Provenance(now, True)})
         calibrations = {**self.settings.calibrations, **stored.calibrations}
         return replace(
             self,
             settings=replace(self.settings, calibrations=calibrations),
-            known={**self.known, source: Known(now, False)},
+            provenance={**self.provenance, source: Provenance(now, False)},
         )
 
     def before_writing(self, keys: Collection[str]) -> "BoardRecord":
@@ -104,7 +104,7 @@ class BoardRecord:
 
         Applied values remain, even if the board has lost them.
         """
-        was_applied = source in self.known and self.known[source].is_applied
+        was_applied = source in self.provenance and self.provenance[source].is_applied
         earlier = self.settings.calibrations if was_applied else {}
         others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
         record = BoardRecord(
@@ -115,7 +115,7 @@ class BoardRecord:
                 calibrations={**others, **stored.calibrations, **earlier},
             ),
             now,
-            {**self.known, source: Known(now, True)},
+            {**self.provenance, source: Provenance(now, True)},
             self.adapter,
             self.trial,
         )
@@ -140,7 +140,7 @@ class BoardRecord:
         return replace(
             self,
             settings=replace(new, calibrations=calibrations, notes={**old.notes, **new.notes}),
-            known={**earlier.known, **self.known},
+            provenance={**earlier.provenance, **self.provenance},
             trial=self.trial or earlier.trial,
         )
 
@@ -151,8 +151,8 @@ class BoardRecord:
         """
         hidden = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
         lines = [
-            _header_line(_source_name(key), known)
-            for key, known in self.known.items()
+            _header_line(_source_name(key), provenance)
+            for key, provenance in self.provenance.items()
             if key is not source
         ]
         calibrations = {**stored.calibrations, **hidden}
@@ -214,16 +214,16 @@ def has_factory_line(stored: Settings) -> bool:
     return all(stored.parameters.get(key) == stored.specs[key].default for key in keys)
 
 
-def _header_line(name: str, known: Known) -> str:
-    verb = "applied" if known.is_applied else "read"
-    return f"{name}: {verb} {known.time.isoformat()}"
+def _header_line(name: str, provenance: Provenance) -> str:
+    verb = "applied" if provenance.is_applied else "read"
+    return f"{name}: {verb} {provenance.time.isoformat()}"
 
 
 def _text(record: BoardRecord) -> str:
     lines = [_TITLE]
     if record.applied is not None:
-        lines.append(_header_line(_PARAMETERS, Known(record.applied, True)))
-    lines += [_header_line(_source_name(source), known) for source, known in record.known.items()]
+        lines.append(_header_line(_PARAMETERS, Provenance(record.applied, True)))
+    lines += [_header_line(_source_name(key), value) for key, value in record.provenance.items()]
     if (trial := record.trial) is not None:
         result = "stopped the motors" if trial.stopped else "failed"
         shutdown = "on" if trial.shutdown else "off"
@@ -239,21 +239,21 @@ def _source_name(source: InputSource) -> str:
 
 def _record(settings: Settings, text: str) -> BoardRecord:
     """Create a record. Values without a valid header line count as unknown."""
-    times: dict[str, Known] = {}
+    times: dict[str, Provenance] = {}
     for name, verb, stamp in _HEADER.findall(text):
         with suppress(ValueError, OverflowError):
             time = datetime.fromisoformat(stamp).astimezone(UTC)
             if 1970 < time.year < 9999:  # other years cannot be shown in every time zone
-                times[name] = Known(time, verb == "applied")
+                times[name] = Provenance(time, verb == "applied")
     names = {source: _source_name(source) for source in InputSource}
-    known = {source: times[name] for source, name in names.items() if name in times}
-    calibrations = {key: c for key, c in settings.calibrations.items() if key.source in known}
+    provenance = {source: times[name] for source, name in names.items() if name in times}
+    calibrations = {key: c for key, c in settings.calibrations.items() if key.source in provenance}
     applied, adapter, trial = times.get(_PARAMETERS), _ADAPTER.search(text), _TRIAL.search(text)
     parameters = {} if applied is None else settings.parameters
     return BoardRecord(
         replace(settings, parameters=parameters, calibrations=calibrations),
         None if applied is None else applied.time,
-        known,
+        provenance,
         "" if adapter is None else adapter[1],
         None if trial is None else TimeoutTrial(trial[1] != "failed", trial[2] == "on"),
     )

@@ -143,11 +143,11 @@ def _warning(settings: Settings) -> str:
     timeout = f"{spec.name} (parameter {hexadecimal(spec.number)})"
     shutdown = f"{shutdown_spec.name} (parameter {hexadecimal(shutdown_spec.number)}; twin)"
     if wire == 0:
-        return f"{risk}: {timeout} is off. Together with {shutdown}, it should stop them."
+        return f"{risk}, because {timeout} is off. With {shutdown}, it should stop the motors."
     if not settings.parameters.get(shutdown_spec.key):
-        return f"{risk}, perhaps also with {timeout} at {spec.text(wire)}: it may need {shutdown}."
+        return f"{risk}, perhaps even with {timeout} at {spec.text(wire)}. It may need {shutdown}."
     return (
-        f"With these settings motors should stop when the board has received nothing for "
-        f"{spec.text(wire)}: {timeout}. Without it they would keep running when a program ends or "
-        f"crashes."
+        f"With these settings, {timeout} should stop the motors when the board has received "
+        f"nothing for {spec.text(wire)}. Without this timeout, motors would keep running when a "
+        f"program ends or crashes."
     )

@@ -128,7 +128,7 @@ def compare(before: Settings, after: Settings) -> Comparison:
 
 
 def compare_with_board(stored: Settings, source: InputSource, target: Settings) -> Comparison:
-    """Compare stored settings with `target`. Raises BadRequest if it does not fit the board.
+    """Compare stored settings with `target`. Raises BadRequest if `target` does not fit.
 
     Only calibrations for `source` are compared, because the board hides all others.
     """
@@ -228,7 +228,7 @@ def _counts(rows: list[ComparisonRow], singular: str, plural: str) -> str:
 
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
-    """Yield the key, wire values and physical values of a row. Also yield its note."""
+    """Yield table cells (key, wire values, physical values) for the values and notes of a row."""
     if isinstance(row.key, CalibrationKey) and None not in {row.before, row.after}:
         for name in row.differing_fields:
             old, new = getattr(row.before, name), getattr(row.after, name)

@@ -47,7 +47,7 @@ class Conversion:
         return f"{self.settings.product.name} {self.settings.specs.firmware}"
 
     @property
-    def alters(self) -> bool:
+    def has_changes(self) -> bool:
         return any(row.fate is not Fate.CARRIED_OVER for row in self.rows)
 
     def of(self, fate: Fate) -> tuple[ConvertedRow, ...]:

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     parameters_of,
 )
 
-LINK_KEYS = (  # a connection to the board depends on them
+LINK_KEYS = (  # they determine how a connection reaches the board
     ParameterKey.DEVICE_NUMBER,
     ParameterKey.UART_RESPONSE_DELAY,
     ParameterKey.CRC7_POLYNOMIAL,
@@ -27,7 +27,7 @@ class Settings:
     firmware: str | None = None  # `None`: unknown
     parameters: Mapping[str, int] = field(default_factory=dict)  # key → wire value
     calibrations: Mapping[CalibrationKey, Calibration] = field(default_factory=dict)
-    notes: Mapping[str, str] = field(default_factory=dict)  # key → note; see `settings.notes`
+    notes: Mapping[str, str] = field(default_factory=dict)  # key → note; see the module `notes`
 
     @property
     def specs(self) -> ParameterSet:
@@ -57,7 +57,7 @@ class Settings:
         return self.only(self.keys.difference(keys))
 
     def without_invalid(self, *, forced: bool = True) -> "Settings":
-        """Remove invalid values. Without `forced`, also remove the `open_values`."""
+        """Return the settings without invalid values. `forced` retains the `open_values`."""
         return replace(
             self,
             parameters={

@@ -70,7 +70,7 @@ class EditFiles:
             saved = datetime.fromtimestamp(path.stat().st_mtime, UTC)
         except FileNotFoundError:
             return None
-        except (OSError, ValueError, OverflowError) as error:  # the file time may be invalid
+        except (OSError, ValueError, OverflowError) as error:  # the file's time may be invalid
             raise SettingsError.of(path, f"{tr('it cannot be read')}: {error}") from error
         return SavedEdits(settings_of_board(load(path), path, board), saved)
 

@@ -1,8 +1,8 @@
 """Change values in a settings file without reformatting its text.
 
-A round trip through ruamel.yaml preserves comments and order. It loses spaces around colons,
-margins, plus signs, comments after `...`, line ends, and the layout of mappings in braces that span
-several lines. Therefore the text is edited at the positions of ruamel.yaml's nodes.
+A round trip through ruamel.yaml preserves comments and order, but not spaces around colons,
+margins, plus signs, comments after `...`, line ends, or the layout of mappings in braces that span
+several lines. Therefore, the text is edited at the positions of ruamel.yaml's nodes.
 """
 
 import re
@@ -100,7 +100,7 @@ class _Document:
         self._line_ends = [*self._line_starts[1:], len(body)]
         # Edits by line number: start column, end column and replacement.
         self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
-        self._comments: dict[int, str] = {}
+        self._comments: dict[int, str] = {}  # line number → new comment
         self._insertions: dict[int, str] = {}  # line number → text to insert before it
         self._removed: set[int] = set()  # numbers of removed lines
         self.notes: dict[str, list[int]] = defaultdict(list)  # key → line numbers of its note
@@ -221,7 +221,7 @@ def _end_of(node: Node) -> int:
 
 
 def _spelled_like(old: str, wire: int) -> str:
-    """Return `wire` in the number format of `old`, such as `0x7b` for 123 and `0x0f`."""
+    """Return `wire` in the number format of `old`. If `old` is `0x0f`, 123 becomes `0x7b`."""
     if old[:2] not in {"0x", "0X"}:
         return f"+{wire}" if old.startswith("+") else str(wire)
     digits = old[2:]

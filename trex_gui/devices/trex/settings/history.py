@@ -2,7 +2,7 @@
 
 A snapshot is a settings file. Comments in its header contain the time, the reason and the board. A
 text file in the same folder limits the number of snapshots for all programs. Other files in the
-folder do not change.
+folder are not changed.
 """
 
 import os
@@ -43,7 +43,7 @@ kept: {}
 
 
 Stamp = tuple[int, int]  # modification time (ns) and size of a file; (0, 0) if unknown
-Order = tuple[datetime, int, str]  # sort key: time, number within the second, file name
+SnapshotFile = tuple[datetime, int, str]  # sort key: time, number within the second, file name
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,8 +65,8 @@ class Snapshot:
 class Limit:
     """Number of snapshots to keep, as read from the limit file.
 
-    `count` is at least 1, or `None` to keep all snapshots. If the file cannot be read, `problem`
-    explains this in a sentence, and no snapshot is removed.
+    `count` is at least 1, or `None` to keep all snapshots. If the file cannot be used, `problem`
+    is a sentence that explains the cause, and no snapshot is removed.
     """
 
     count: int | None = DEFAULT_LIMIT
@@ -77,7 +77,7 @@ class SettingsHistory:
     """Folder of snapshots, created when the first snapshot is saved.
 
     If there are more snapshots than the user's limit, the oldest are removed. Snapshots with a name
-    are only removed on request.
+    are removed only on request.
     """
 
     def __init__(self, folder: Path | None = None) -> None:
@@ -120,18 +120,18 @@ class SettingsHistory:
 
     def snapshots(self) -> tuple[Snapshot, ...]:
         """Return all snapshots, newest first, including unreadable ones."""
-        return tuple(self.read_header(order) for order in self.files())
+        return tuple(self.read_header(file) for file in self.files())
 
-    def files(self) -> list[Order]:
+    def files(self) -> list[SnapshotFile]:
         """Return the files of all snapshots, newest first, without opening them."""
         try:
             with os.scandir(self.folder) as entries:
                 names = [entry.name for entry in entries]
         except OSError:  # not created yet, or not readable
             return []
-        return sorted(map(_order, filter(None, map(_NAME.fullmatch, names))), reverse=True)
+        return sorted(map(_snapshot_file, filter(None, map(_NAME.fullmatch, names))), reverse=True)
 
-    def read_header(self, file: Order, known: Snapshot | None = None) -> Snapshot:
+    def read_header(self, file: SnapshotFile, known: Snapshot | None = None) -> Snapshot:
         """Read the header of a snapshot. Return `known` if its file has not changed."""
         taken, _, name = file
         path = self.folder / name
@@ -169,7 +169,7 @@ class SettingsHistory:
         return settings
 
     def label(self, snapshot: Snapshot, **texts: str) -> None:
-        """Set the `name` and `note` of a snapshot. An empty text removes the old text.
+        """Set the `name`, the `note` or both. An empty text removes the old text.
 
         Raises:
             BadRequest: the name is a number or is used by another snapshot, or a text is too long.
@@ -190,7 +190,7 @@ class SettingsHistory:
             )
         if name and any(other.name == name != snapshot.name for other in self.snapshots()):
             raise BadRequest(tr("Another snapshot has the name {0}.").format(name))
-        lines = load(snapshot.path).split(b"\n")  # other lines do not change
+        lines = load(snapshot.path).split(b"\n")  # all other lines are retained
         for kind, text in cleaned.items():
             prefix = f"# {kind}: ".encode()
             first, *rest = (line for line in lines[:_HEADER_LINES] if not line.startswith(prefix))
@@ -239,7 +239,8 @@ class SettingsHistory:
     def _remove_oldest(self, own: Path) -> None:
         """Remove the oldest snapshots if there are more than the limit.
 
-        Snapshots saved after `own` are kept, so two programs never remove each other's snapshots.
+        `own` is the newest snapshot of this program. Snapshots saved after it are kept, so two
+        programs never remove each other's snapshots.
         """
         limit = self.limit()
         if limit.problem or limit.count is None:
@@ -261,7 +262,7 @@ class SettingsHistory:
         return self.folder / f"{taken.strftime(_TIME)}-{suffix}{model}-{firmware}.txt"
 
 
-def _order(match: re.Match[str]) -> Order:
+def _snapshot_file(match: re.Match[str]) -> SnapshotFile:
     try:
         taken = datetime.fromisoformat(match[1])
     except ValueError:  # the digits are not a date

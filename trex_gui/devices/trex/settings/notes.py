@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 
-LONGEST_NOTE = 1000  # characters; a file stays readable if all settings have such notes
+LONGEST_NOTE = 1000  # characters; a file with such notes on all settings can be read
 
 _NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): .*\S[ \t]*")
 

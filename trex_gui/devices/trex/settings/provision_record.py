@@ -20,7 +20,7 @@ from trex_gui.devices.trex.settings.document import Settings
 FACTORY_NUMBER = 7  # never assigned, so a board with this number is always new
 NEW, KNOWN, NUMBER_ONLY = "new", "known", "number only"  # certainty of a board's identity
 BEGUN, SKIPPED = "begun", "skipped"  # results
-NOT_TRIED = "ended while motors were tried"
+ENDED_IN_MOTOR_TEST = "ended during the motor test"
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +48,8 @@ class ProvisionRecord:
     def __init__(self, file: Path, *, name: str = "robot {number}", first: int = 1) -> None:
         """Open or create the file.
 
-        A new board gets `name`, with `{number}` replaced, and the next free number from `first`.
+        A new board gets the next free number, starting at `first`. Its name is `name`, with the
+        device number in place of `{number}`.
 
         Raises:
             StudioError: the file cannot be used.
@@ -100,8 +101,8 @@ class ProvisionRecord:
 
     def _known(self, number: int) -> ProvisionedBoard | None:
         """Return the newest row of the board with this number, ignoring skipped boards."""
-        assigned = (row for row in reversed(self._rows) if row.result != SKIPPED)
-        return next((row for row in assigned if row.number == number != FACTORY_NUMBER), None)
+        rows = (row for row in reversed(self._rows) if row.result != SKIPPED)
+        return next((row for row in rows if row.number == number != FACTORY_NUMBER), None)
 
     def free_number(self) -> int:
         """Return an unassigned number. Raises BadRequest if all numbers are assigned."""
@@ -113,7 +114,7 @@ class ProvisionRecord:
         text = tr("All {0} device numbers are in {1}.")
         raise BadRequest(text.format(NUMBERS, self._file))
 
-    def put(self, row: ProvisionedBoard) -> None:
+    def add(self, row: ProvisionedBoard) -> None:
         """Add a row, or replace the last row if it is `BEGUN`. Does not save the file."""
         if self._rows and self._rows[-1].result == BEGUN:
             self._rows.pop()

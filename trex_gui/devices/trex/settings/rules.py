@@ -180,11 +180,11 @@ def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
 
 
 def _limits_with_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[str, str]]:
-    """Yield the keys of each active current limit and of its `parameter`, if the latter is 0."""
+    """Yield two keys for each motor whose current limit is active and whose `parameter` is 0."""
     for motor in () if case.is_joint else _MOTORS:
-        limit, other = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
-        if case.wires.get(limit) and case.wires.get(other) == 0:
-            yield limit, other
+        limit, key = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
+        if case.wires.get(limit) and case.wires.get(key) == 0:
+            yield limit, key
 
 
 def _limit_without_gain(case: _Case) -> Iterator[_Match]:

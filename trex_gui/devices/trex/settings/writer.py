@@ -82,7 +82,7 @@ def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 
 @cache
 def _width() -> int:
-    """Return the width of the widest setting, so a changed value changes only its own line."""
+    """Return the maximum width of a setting. It is fixed, so a new value changes only its line."""
     return max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
 
 

@@ -45,7 +45,7 @@ def shortened(text: str, max_length: int = 40) -> str:
 
 
 def compose(text: str, name: str) -> MappingNode:
-    """Return the root mapping of a text. It may contain flat mappings.
+    """Return the root mapping of a text. Its values are scalars or flat mappings.
 
     Raises:
         SettingsError: the text is not YAML, or uses YAML features that settings do not use.
@@ -100,7 +100,7 @@ class _UnsupportedError(Exception):
 
 
 class _Scanner(Scanner):
-    """Scanner that limits the nesting of brackets. Scanning 50,000 of them takes a second."""
+    """Scanner that limits the nesting of brackets. Scanning 50,000 brackets takes a second."""
 
     def fetch_flow_collection_start(self, token: type[Token], to_push: str) -> None:
         if len(self.flow_context) == _MAX_DEPTH:

@@ -173,8 +173,8 @@ def test_header_names_board_and_warns_of_running_motors(language: Language) -> N
     assert "unless Serial Timeout and UART-Error Shutdown (twin) are set on the board" in header()
     timeout_off = header(serial_timeout=0)
     assert "Serial Timeout (parameter 0x07) is off" in timeout_off
-    assert "UART-Error Shutdown (parameter 0x08; twin), it should stop them" in timeout_off
-    assert "it may need UART-Error Shutdown" in header(serial_timeout=15, uart_error_shutdown=0)
+    assert "UART-Error Shutdown (parameter 0x08; twin), it should stop the motors" in timeout_off
+    assert "It may need UART-Error Shutdown" in header(serial_timeout=15, uart_error_shutdown=0)
     assert "received nothing for 1.5 s" in header(serial_timeout=15, uart_error_shutdown=1)
 
 

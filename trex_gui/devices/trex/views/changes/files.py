@@ -59,7 +59,7 @@ def load_dialog(
             return Changes(heading, remarks=findings, problem=problem)
         board = state.signature
         conversion = convert(settings, board.model, board.firmware)
-        is_converted = settings.product != board.model or conversion.alters
+        is_converted = settings.product != board.model or conversion.has_changes
         # Without a firmware version, settings of newer firmware do not count as missing.
         loaded = conversion.settings if is_converted else replace(settings, firmware=None)
         try:

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
-from trex_gui.devices.trex.settings.board_records import Known
+from trex_gui.devices.trex.settings.board_records import Provenance
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.ui.theme.theme import follow_theme
 from trex_gui.ui.widgets import builders as ui
@@ -211,8 +211,8 @@ class OtherSource(QWidget):
         self._switch.clicked.connect(on_switch)
         self._cycle.clicked.connect(self.power_cycle_requested)
 
-    def show_source(self, source: InputSource, mode: Mode, known: Known | None) -> None:
-        """Describe the inactive input source. `known` is the last reading of its values."""
+    def show_source(self, source: InputSource, mode: Mode, provenance: Provenance | None) -> None:
+        """Describe the inactive input source. `provenance` is the origin of its values."""
         parameters = self._device.parameters
         self._source = source
         name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)
@@ -225,8 +225,9 @@ class OtherSource(QWidget):
         elif is_serial and is_edited:
             text = tr("Edited: apply it, then power-cycle the board to read {0}.").format(name)
         values = tr("Its values have not been read yet.")
-        if known is not None:
-            values = tr("The values below were {0}.").format(channel_text.known_text(known))
+        if provenance is not None:
+            origin = channel_text.provenance_text(provenance)
+            values = tr("The values below were {0}.").format(origin)
         self._text.setText(f"{text} {values}")
         self._switch.setText(tr("Read {0} after the next power cycle").format(name))
         self._switch.setVisible(is_serial and not is_edited)
