@@ -48,9 +48,9 @@ def test_line_errors_of_a_search_do_not_explain_stopped_motors(
     quick_simulator.do("power cycle")
     trexcmd("find")
     result = trexcmd("status", "--baud", "57600")
-    assert "  Nothing prevents them from following serial commands.\n" in result.stdout
+    assert "  Nothing prevents the motors from following serial commands.\n" in result.stdout
     assert "Errors: none\n" in result.stdout
-    latched = "Latched before, perhaps by a search for the board: UART error, Framing error"
+    latched = "Earlier errors, perhaps from a search for the board: UART error, Framing error"
     assert latched in result.stdout
 
 
@@ -74,7 +74,8 @@ def test_line_errors_during_the_command_explain_stopped_motors(
 def test_status_shows_every_reason_for_stopped_motors(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    assert "  Nothing prevents them from following serial commands.\n" in trexcmd("status").stdout
+    text = "  Nothing prevents the motors from following serial commands.\n"
+    assert text in trexcmd("status").stdout
     assert json.loads(trexcmd("status", "--json").stdout)["motors"] == []
 
     quick_simulator.do("jumper mode rc", "channel 2 1680us", "power cycle", "channel 2 1680us")
@@ -217,12 +218,12 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("history path first", "is neither the number"),
         ("history path 1.5", "is neither the number"),
         ("history path ./1", "is neither the number"),
-        ("history keep 0", "give a number of snapshots"),
-        ("history keep -- -1", "give a number of snapshots"),
-        ("history keep many", "give a number of snapshots"),
-        ("history keep 1.5", "give a number of snapshots"),
-        ("history keep 10000000", "give a number of snapshots"),
-        (f"history keep {'9' * 5000}", "give a number of snapshots"),
+        ("history keep 0", "Give a number of snapshots"),
+        ("history keep -- -1", "Give a number of snapshots"),
+        ("history keep many", "Give a number of snapshots"),
+        ("history keep 1.5", "Give a number of snapshots"),
+        ("history keep 10000000", "Give a number of snapshots"),
+        (f"history keep {'9' * 5000}", "Give a number of snapshots"),
         ("check-settings ''", "name of the file is empty"),
         ("stop --traffic ''", "name of the file is empty"),
         ("history show ''", "name of the file is empty"),

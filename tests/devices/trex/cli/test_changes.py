@@ -262,7 +262,7 @@ def test_notes_of_a_file_are_saved_for_its_board(trexcmd: RunCommand, tmp_path: 
     differing = trexcmd("diff", str(file), exits=1).stdout
     assert differing.split() == ["motor_mode", "note", "two", "motors"]
     result = trexcmd("set-settings", str(file))
-    assert "1 note saved on this computer: a board stores no notes." in result.stderr
+    assert "1 note saved on this computer, because a board cannot store notes." in result.stderr
     assert trexcmd("diff", str(file)).stdout == ""
     assert "# Note on motor_mode: two motors\nmotor_mode: 0 " in read_settings_text(trexcmd)
     trexcmd("set", "serial_timeout", "1.5 s")

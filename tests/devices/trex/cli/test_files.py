@@ -193,7 +193,7 @@ def test_file_that_cannot_be_edited_in_place_is_rewritten(
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
     file.write_text(COMMENTED, encoding="utf-8")
     result = trexcmd("check-settings", str(file), str(out))
-    assert "Comments and order could not be kept: " in result.stderr
+    assert "The comments and the order of settings could not be kept: " in result.stderr
     assert out.read_text(encoding="utf-8") == write_settings(read_settings(COMMENTED)[0])
 
 

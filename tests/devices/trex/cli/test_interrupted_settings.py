@@ -113,7 +113,7 @@ def test_ctrl_c_ends_writing_between_two_settings(
     writing = start_writing()
     writing.process.send_signal(signal.SIGINT)
     messages = writing.process.ends(1).stderr
-    assert "Interrupted: not all settings were stored; the others are unchanged." in messages
+    assert "Interrupted: not all settings were stored; the rest is unchanged." in messages
     writing.assert_reported(messages)
     writing.assert_snapshot_complete()
     trexcmd("set-settings", str(writing.file), "--port", writing.board.url)

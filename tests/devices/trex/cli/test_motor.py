@@ -344,7 +344,7 @@ def test_missing_guardian_is_reported_without_timeout_stop(
     command = run_motor_1(start, quick_simulator)
     command.send_signal(signal.SIGINT)
     _, errors = command.communicate()
-    assert "computer fails, and also if this program is killed." in errors
+    assert "computer fails, or if this program is killed." in errors
 
 
 @pytest.mark.parametrize("moment", [0.61, 0.83, 1.2])

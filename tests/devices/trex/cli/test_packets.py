@@ -54,7 +54,7 @@ def test_decode_explains_invalid_bytes(trexcmd: RunCommand) -> None:
     assert "a data byte outside a packet" in result.stdout
     assert "a command byte inside a packet" in result.stdout
     assert "the packet is not complete" in result.stdout
-    assert "4 of 5 parts are not packets" in result.stderr
+    assert "Not a packet: 4 of 5 parts" in result.stderr
 
 
 # --- raw ----------------------------------------------------------------------------------
@@ -72,10 +72,10 @@ def test_raw_prints_meaning_and_each_reply(trexcmd: RunCommand) -> None:
 def test_raw_write_prints_a_warning(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     result = trexcmd("raw", "AF 07 0F 55 2A")
     assert result.stdout == "00\n"
-    assert "set Serial Timeout to 1.5 s (15). The board stores it at once" in result.stderr
+    assert "set Serial Timeout to 1.5 s (15). The board stores this at once" in result.stderr
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
     result = trexcmd("raw", "--protocol", "expanded", "AF 07 0F 55 2A")
-    assert "(15). Every board on the line stores it at once" in result.stderr
+    assert "(15). Every board on the line stores this at once" in result.stderr
 
 
 @pytest.mark.parametrize("packet", ["C2 50", "80 07 42 50", "81 F0 20", "80 07", "05 D0"])
@@ -84,7 +84,7 @@ def test_raw_motor_command_needs_permission(
 ) -> None:
     before = quick_simulator.show()["counters"]
     result = trexcmd("raw", packet, exits=2)
-    assert "This may move a motor" in result.stderr
+    assert "PACKET may move a motor" in result.stderr
     assert "--motors" in result.stderr
     assert quick_simulator.show()["counters"] == before, "nothing is sent"
 

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.views.provision import ProvisionFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.widgets.behaviour import HoldButton
 
-INTERRUPTED = "ended while motors were tried"
+INTERRUPTED = "ended during the motor test"
 
 
 class ProvisionDialogDriver:

@@ -38,8 +38,8 @@ def calibration() -> None:
 def get_command(as_json: bool, **options: Any) -> None:
     """Show the calibration of each channel, in counts and in physical units.
 
-    With --json, the fields of a channel are counts. pulse_us or voltage_V contains their physical
-    values.
+    With --json, the fields of a channel are counts. `pulse_us` or `voltage_V` contains the same
+    fields in physical units.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)

@@ -50,7 +50,7 @@ def require_consent(
     """Raise SettingsError for values beyond inferred limits, unless `force` is set.
 
     Values that boards with this model and firmware have already stored need no consent. `name` is
-    the file or the setting that the error names.
+    the name of the file or setting, for the error.
     """
     known, specs = AcceptedValues().of(state.signature), state.specs
     findings = [
@@ -88,7 +88,7 @@ def change_one(
 ) -> None:
     """Store the setting of `after` that differs from the stored settings.
 
-    `name` is the name of the setting for the user. `command` is the reason in the snapshot.
+    `name` is the name of the setting for the user. `command` is the reason of the snapshot.
 
     Raises Rejected if the board is not in serial mode, or SettingsError if the snapshot cannot be
     saved. In both cases, nothing is written.
@@ -133,7 +133,8 @@ def save_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, str])
     saved = {} if memory.record is None else memory.record.settings.notes
     if (merged := {**saved, **notes}) != saved:
         memory.set_notes(merged)
-        say(f"{counted(len(notes), 'note')} saved on this computer: a board stores no notes.")
+        saved_notes = counted(len(notes), "note")
+        say(f"{saved_notes} saved on this computer, because a board cannot store notes.")
 
 
 def record_of(stored: Settings) -> BoardRecord:
@@ -161,6 +162,6 @@ def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware:
     """Report the options that reach the board after its next power cycle, if they change."""
     after = after_power_cycle(used, stored, firmware)
     if after is None:
-        say("The UART settings have an unknown value. Find the board with `trexcmd find`.")
+        say("The UART settings are not known. After a power cycle, run `trexcmd find`.")
     elif (options := as_options(after)) != as_options(used):
         say(f"After the board is switched off and on, connect with {options}")

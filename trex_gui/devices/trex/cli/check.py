@@ -22,7 +22,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 @dataclass(slots=True)
 class _Checked:
     data: bytes
-    text: str | bytes = b""  # `data` with repaired values; `settings` may have more changes
+    text: str | bytes = b""  # `data` with repaired values; `settings` may contain further changes
     settings: Settings | None = None
     repairs: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -61,7 +61,7 @@ class _Checked:
         }
 
     def written(self, settings: Settings, *, keep_all: bool) -> str:
-        """Return the text with `settings`. It ends with a newline.
+        """Return the text of the file with `settings`, ending with a newline.
 
         With `keep_all`, raises SettingsError if comments or the order of settings would be lost.
         """
@@ -71,7 +71,7 @@ class _Checked:
         except SettingsError as error:
             if keep_all:
                 raise
-            say(f"Comments and order could not be kept: {error}")
+            say(f"The comments and the order of settings could not be kept: {error}")
             return write_settings(settings)
         if after.endswith(("\n", "\r")):
             return after
@@ -98,7 +98,9 @@ def _board(
 @click.command("check-settings")
 @click.argument("file", metavar="IN", type=FILE)
 @click.argument("out", required=False, type=FILE)
-@click.option("--fix", is_flag=True, help="Repair values where possible, in IN or in OUT.")
+@click.option(
+    "--fix", is_flag=True, help="Repair values where possible, in OUT or by default in IN."
+)
 @click.option(
     "--for",
     "board",
@@ -113,13 +115,13 @@ def check_settings(
 ) -> None:
     """Check a settings file without a board. With OUT, write the checked file there.
 
-    Lists errors and warnings by line on standard error. - is standard input or output.
+    Lists errors and warnings by line on standard error. "-" is standard input or output.
 
-    With --fix, values with units become wire values, numbers outside a range become the nearest
-    limit, and the proposals of warnings are accepted. With --for, values that have a different
+    With --fix, values with units become wire values, numbers outside their range become the nearest
+    limit, and the changes that warnings propose are made. With --for, values that have a different
     meaning on the other board are converted, and settings that the other board does not have become
-    comments. Each change is listed. Comments and order are kept. Nothing is written while errors
-    remain.
+    comments. Each change is listed. Comments and the order of settings are kept. Nothing is written
+    while errors remain.
     """
     target = out if out is not None else file if fix and board is None else None
     if as_json and target == "-":

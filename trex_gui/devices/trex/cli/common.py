@@ -111,7 +111,8 @@ link_options = all_options(
         "--reserve",
         metavar="NUMBERS",
         default="",
-        help="Numbers of other devices on the line, such as 0,1. Implies --protocol expanded.",
+        help="Device numbers of other devices on the line, such as 0,1. Implies --protocol "
+        "expanded.",
     ),
     timeout_option,
     traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder")),
@@ -119,7 +120,7 @@ link_options = all_options(
 
 
 def link_settings(options: Mapping[str, Any], url: str | None = None) -> ConnectionSettings:
-    """Create settings from the common options. Raises UsageError if they conflict."""
+    """Create connection settings from the common options. Raises UsageError for a conflict."""
     url = url or required_port(options["port"])
     if options["crc"] and options["parity"] != "none":
         raise click.UsageError("A TReX can use either CRC or parity, not both.")
@@ -142,7 +143,7 @@ boards_option = click.option(
     "--boards",
     metavar="NUMBERS",
     default="",
-    help="Address several boards on the line at once, such as 7,9.",
+    help="Device numbers of several boards to address at once, such as 7,9.",
 )
 
 
@@ -246,7 +247,7 @@ def identify(client: TrexClient, *, quick: bool = False) -> Signature:
         try:
             return _only_board(client)
         except BadReply:
-            # The check just after the line was opened may have missed the echo.
+            # The echo check at the opening of the line may have missed an echo.
             client.detect_echo()
             return _only_board(client)
     except (NoReply, BadReply) as error:
@@ -315,7 +316,7 @@ PORT_REPORTS = PortReports(_identify, _describe, row_of)
 
 
 def specs_of(name: str) -> list[ParameterSpec]:
-    """Return a parameter's spec for each model and firmware. Raises UsageError if none has it."""
+    """Return the specs of a parameter in all firmware. Raises UsageError if there are none."""
     specs = []
     for model in device_table().models:
         for firmware in model.firmware:

@@ -23,7 +23,7 @@ from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.version import __version__
 
-FILE = FileName(allow_dash=True)  # checked by `load` and `save`, with better messages
+FILE = FileName(allow_dash=True)  # `load` and `save` check files, with better messages
 
 
 def name_of(file: str) -> str:
@@ -59,8 +59,8 @@ def visible(target: Settings, state: DeviceState) -> Settings:
     if len(active) < len(calibrations):
         others = ", ".join(key for key in CalibrationKey if key in calibrations.keys() - active)
         say(
-            f"Warning: {others} left out: the inputs are {state.source.value} now, and the board "
-            "hides all other calibrations."
+            f"Warning: {others} left out, because the board now uses its {state.source.value} "
+            "inputs and hides all other calibrations."
         )
     return replace(target, calibrations=active)
 
@@ -105,7 +105,7 @@ def _print_differences(
 @link_options
 @click.argument("file", type=FILE)
 def get_settings(file: str, **options: Any) -> None:
-    """Save the board's settings to FILE. - is standard output.
+    """Save the board's settings to FILE. "-" is standard output.
 
     FILE contains all parameters, the notes saved on this computer, and the calibrations of the
     active input source. The board hides the calibrations of the other source. An existing file is
@@ -171,7 +171,7 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
 @click.option("--ignore", "ignored", multiple=True, metavar="KEY", help="Do not check KEY.")
 @json_option
 def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any) -> bool:
-    """Check that the board stores the settings of PROFILE. - is standard input.
+    """Check that the board stores the settings of PROFILE. "-" is standard input.
 
     Notes are not checked, nor are settings that PROFILE does not contain. Prints the differences,
     with the board's values on the left. Exit codes: 0 equal, 1 different, 2 wrong usage or
@@ -186,8 +186,7 @@ def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any)
     for key in keys & state.unread.keys():
         raise CommandFailed(f"{key} could not be read: {state.unread[key]}")
     stored, target = (replace(s.only(keys), notes={}) for s in (settings_of(state), target))
-    names = "the board", name_of(profile)
-    return _print_differences(stored, target, names, as_json=as_json)
+    return _print_differences(stored, target, ("the board", name_of(profile)), as_json=as_json)
 
 
 @click.command()
@@ -201,7 +200,7 @@ def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any)
 )
 @click.argument("file", type=FILE)
 def export(file: str, language: str, **options: Any) -> None:
-    """Export the board's settings to FILE as a program. - is standard output.
+    """Export the board's settings to FILE as a program. "-" is standard output.
 
     The program stores the settings in a board and verifies each value. It uses the line settings of
     this connection, and has functions that drive and stop the motors.

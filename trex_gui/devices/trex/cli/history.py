@@ -34,8 +34,8 @@ A snapshot is saved before any settings are written, in the window or by `set`, 
 trexcmd history diff 3
 trexcmd set-settings "$(trexcmd history path 3)"
 
-Number 1 is the newest. Each new snapshot increases the numbers of the older snapshots by one. A
-snapshot with a name can also be selected by its name, and is never removed automatically.
+Number 1 is the newest snapshot. Each new snapshot increases the numbers of the older snapshots
+by one. A snapshot with a name can also be selected by its name, and is never removed automatically.
 """
 
 
@@ -76,7 +76,7 @@ def _list(words: str, *, as_json: bool) -> None:
         return
     titles = ("", "Time", "Board", "No.", "Adapter", "Before", "Name", "Note")
     cells = [titles, *(_cells(number, snapshot) for number, snapshot in matches)]
-    while not any(row[-1] for row in cells[1:]):  # drop empty columns
+    while not any(row[-1] for row in cells[1:]):  # drop empty columns at the right
         cells = [row[:-1] for row in cells]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     for first, *rest in cells:
@@ -85,11 +85,11 @@ def _list(words: str, *, as_json: bool) -> None:
 
 
 @history.command("show")
-@click.argument("which", metavar="N|FILE", type=FILE, shell_complete=_complete_number)
+@click.argument("selector", metavar="N|FILE", type=FILE, shell_complete=_complete_number)
 @json_option
-def show(which: str, as_json: bool) -> None:
+def show(selector: str, as_json: bool) -> None:
     """Print the settings of a snapshot, given by its number in the list or by its file."""
-    path = _path_of(which)
+    path = _path_of(selector)
     settings = read_file(str(path))
     if not as_json:
         with reported_errors():
@@ -125,12 +125,12 @@ def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) 
 
 
 @history.command("name")
-@click.argument("which", metavar="N|NAME", shell_complete=_complete_number)
+@click.argument("selector", metavar="N|NAME", shell_complete=_complete_number)
 @click.argument("name", required=False)
 @click.option(
     "--note", metavar="TEXT", help="Note on the snapshot. An empty text removes the note."
 )
-def name(which: str, name: str | None, note: str | None) -> None:
+def name(selector: str, name: str | None, note: str | None) -> None:
     """Give a snapshot a name, a note or both.
 
     A snapshot with a name is kept, regardless of the limit, until its name is removed with "".
@@ -140,23 +140,24 @@ def name(which: str, name: str | None, note: str | None) -> None:
     if not texts:
         raise click.UsageError("Give a name, or a note with --note.")
     with reported_errors():
-        SettingsHistory().label(_snapshot_of(which), **texts)
+        SettingsHistory().label(_snapshot_of(selector), **texts)
 
 
 @history.command("path")
-@click.argument("which", metavar="N|NAME", shell_complete=_complete_number)
-def path(which: str) -> None:
+@click.argument("selector", metavar="N|NAME", shell_complete=_complete_number)
+def path(selector: str) -> None:
     """Print the path of a snapshot's file."""
-    click.echo(_snapshot_of(which).path)
+    click.echo(_snapshot_of(selector).path)
 
 
 @history.command("keep")
 @click.argument("count", metavar="COUNT|all", required=False)
 @click.option("--yes", is_flag=True, help="Do not ask for confirmation.")
 def limit_command(count: str | None, yes: bool) -> None:
-    """Set the number of snapshots that trexcmd and the window keep, or print it.
+    """Set or print the number of snapshots to keep.
 
-    Asks for confirmation before older snapshots are removed.
+    The number applies to trexcmd and the window. Asks for confirmation before older snapshots are
+    removed.
     """
     history = SettingsHistory()
     if count is None:
@@ -168,7 +169,7 @@ def limit_command(count: str | None, yes: bool) -> None:
     new_limit = _parse_count(count)
     if (excess := len(history.excess(new_limit))) and not yes:
         total = counted(len(history.snapshots()), "snapshot")
-        which = "the oldest one" if excess == 1 else f"the oldest {excess}"
+        which = "the oldest" if excess == 1 else f"the oldest {excess}"
         click.confirm(f"Remove {which} of {total} permanently?", abort=True, err=True)
     with reported_errors():
         removed = len(history.set_limit(new_limit))
@@ -181,7 +182,7 @@ def _parse_count(word: str) -> int | None:
     if word.casefold() == "all":
         return None
     if not word.isascii() or not word.isdecimal() or not 1 <= int(word[:8]) < 10**7:
-        raise click.UsageError(f"give a number of snapshots (at least 1) or all, not {word!r}")
+        raise click.UsageError(f'Give a number of snapshots (at least 1) or "all", not {word!r}.')
     return int(word)
 
 

@@ -78,14 +78,14 @@ _SLICE = 0.02  # maximum seconds between two checks for signals
 
 @click.command(context_settings={"ignore_unknown_options": True})
 @link_options
-@click.argument("which", metavar="1|2|aux", type=click.Choice(["1", "2", "aux"]))
+@click.argument("target", metavar="1|2|aux", type=click.Choice(["1", "2", "aux"]))
 @click.argument("speed", type=int)
 @click.option("--accelerate", is_flag=True, help="Use the acceleration stored in the board.")
 @seconds_option
 @click.option("--brake", is_flag=True, help="Brake the motor. SPEED is the braking duty, 0 to 127.")
 @boards_option
 def motor(
-    which: str,
+    target: str,
     speed: int,
     *,
     accelerate: bool,
@@ -94,12 +94,12 @@ def motor(
     boards: str,
     **options: Any,
 ) -> None:
-    """Run a motor at SPEED, -127 to 127 (auxiliary motor 0 to 127), then stop every motor.
+    """Run a motor at SPEED, -127 to 127 (auxiliary motor: 0 to 127), then stop every motor.
 
     The motor runs until Ctrl-C, or for the time given with --seconds. At the end, the stop is
     repeated until the board confirms it, even after a signal or an error.
     """
-    setpoint = _setpoint(which, speed, accelerate=accelerate, brake=brake)
+    setpoint = _setpoint(target, speed, accelerate=accelerate, brake=brake)
     run_motors(grouped(link_settings(options), boards), [setpoint], seconds)
 
 
@@ -115,7 +115,7 @@ def run_motors(
     wait: Callable[[float], None] = time.sleep
     if is_served(settings.url) and host().logged:
         raise click.UsageError(
-            "--traffic needs the serial line. Use it with trexcmd serve instead."
+            "--traffic cannot record a served board. Use it with `trexcmd serve` instead."
         )
     if not is_served(settings.url):
         with reported_errors():  # Ctrl-C may interrupt a slow connection over the network
@@ -148,7 +148,7 @@ _UNCONFIRMED = "The stop is not confirmed. If a motor is still turning, cut its 
     "--robots",
     multiple=True,
     metavar="NAME",
-    help="Stop the served board NAME, or all served boards with the name all. May be repeated.",
+    help='Stop the served board NAME, or "all" for every served board. May be repeated.',
 )
 def stop(robots: tuple[str, ...], boards: str, **options: Any) -> None:
     """Brake both motors and switch the auxiliary motor off.
@@ -195,10 +195,10 @@ def _stop_at(settings: ConnectionSettings) -> None:
         stop_together(runs)
         # Boards that have not confirmed the stop come first.
         results = sorted(zip(runs, clients, strict=True), key=lambda pair: pair[0].is_confirmed)
-        failed = {client: _stop_problem(client, run) for run, client in results}
+        problems = {client: _stop_problem(client, run) for run, client in results}
         texts = [
             f"Board {client.settings.device_number}: {text}" if settings.group else text
-            for client, text in failed.items()
+            for client, text in problems.items()
             if text
         ]
         if texts:
@@ -213,8 +213,8 @@ def _stop_problem(client: TrexClient, run: StopRun) -> str:
         except (NoReply, BadReply) as error:
             return f"{_UNCONFIRMED} {error}"
         return (
-            "The stop was sent, but the board reports errors on the line each time. If a motor "
-            "is still turning, cut its power."
+            "The stop was sent repeatedly, but each time the board reported errors on the line. "
+            "If a motor is still turning, cut its power."
         )
     try:
         return "" if query(client.request, GetSerialControl()) else STOP_WITHOUT_EFFECT
@@ -222,15 +222,15 @@ def _stop_problem(client: TrexClient, run: StopRun) -> str:
         return str(error)
 
 
-def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpoint:
+def _setpoint(target: str, speed: int, *, accelerate: bool, brake: bool) -> Setpoint:
     try:
-        if which == "aux":
+        if target == "aux":
             if brake:
                 raise click.UsageError("The auxiliary motor has no brake.")
             setpoint: Setpoint = SetAuxiliary(speed, accelerate)
         else:
             drive = Drive.brake(speed) if brake else Drive.at(speed)
-            setpoint = SetMotor(int(which), drive, accelerate)
+            setpoint = SetMotor(int(target), drive, accelerate)
         for command in packets([setpoint]):
             command.data()
     except BadRequest as error:
@@ -268,7 +268,8 @@ class _Run:
     _is_running: bool = False
     _is_ending: bool = False
     _is_guarded: bool = False
-    _by_serial: dict[int | None, bool] = field(default_factory=dict)  # board → serial control
+    # Board number → True if serial commands control the motors
+    _by_serial: dict[int | None, bool] = field(default_factory=dict)
     _reason: str | None = None
     _stop_error: StudioError | None = None
     _line_error: StudioError | None = None
@@ -369,11 +370,11 @@ class _Run:
             self._finish(self._named(number, board.control_text))
             return
         if board.is_joint and any(isinstance(c, SetMotor) and c.motor == 2 for c in self._commands):
-            say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
+            say("Warning: in joint mode both drivers work as motor 1. Motor 2 ignores commands.")
         self._keepers[number].load()
         timeout_stop = board.timeout_stop
         if not timeout_stop.is_reliable:
-            program = "" if self._is_guarded else ", and also if this program is killed"
+            program = "" if self._is_guarded else ", or if this program is killed"
             verb = "may keep" if timeout_stop is TimeoutStop.DOUBTFUL else "keeps"
             needed = {"serial_timeout": '"0.5 s"', "uart_error_shutdown": "on"}.items()
             missing = [f"`trexcmd set {k} {v}`" for k, v in needed if not state.parameters.get(k)]

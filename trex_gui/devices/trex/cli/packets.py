@@ -6,7 +6,7 @@ import click
 
 from trex_gui.core.cli import CommandFailed, hexadecimal, say, seconds_option
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.texts import hex_text
+from trex_gui.core.texts import counted, hex_text
 from trex_gui.devices.trex.cli.common import (
     crc_option,
     link_options,
@@ -41,10 +41,10 @@ def _parse_bytes(words: tuple[str, ...]) -> bytes:
 def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **options: Any) -> None:
     """Send the bytes of PACKET ("86 1F") unchanged and print each reply.
 
-    Describes the packets first. Several packets are sent one by one, because the board does not
-    listen while it replies. Packets that may move a motor are rejected without --motors. With
-    --motors, the final stop is repeated until the board confirms it, even after a signal or an
-    error.
+    Describes all packets before any packet is sent. The packets are sent one by one, because the
+    board does not listen while it replies. Packets that may move a motor are rejected without
+    --motors. With --motors, the final stop is repeated until the board confirms it, even after a
+    signal or an error.
     """
     link = link_settings(options)
     packets = packets_of(_parse_bytes(packet), link.framing.polynomial)
@@ -55,7 +55,7 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
     may_move = any(item.moves for item in packets)
     if may_move and not motors:
         raise click.UsageError(
-            "This may move a motor, and nothing was sent. Use --motors to send it; every motor "
+            "PACKET may move a motor, so nothing was sent. To send it, add --motors. Every motor "
             "is stopped afterwards."
         )
     if seconds is not None and not may_move:
@@ -73,7 +73,7 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
 def _effect_text(packet: RawPacket, board: str) -> str:
     if packet.moves:
         return ". This may move a motor"
-    return f". {board} stores it at once, without a snapshot" if packet.writes else ""
+    return f". {board} stores this at once, without a snapshot" if packet.writes else ""
 
 
 @click.command()
@@ -81,9 +81,9 @@ def _effect_text(packet: RawPacket, board: str) -> str:
 @crc_option
 @polynomial_option
 def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
-    """Describe the packets in HEX, which a host sends with either protocol.
+    """Describe HEX as packets from a host, in the compact or the expanded protocol.
 
-    Values are in the units of a TReX. The exit code is 1 if some bytes are not a packet.
+    Values are in the units of a TReX. The exit code is 1 if any bytes are not part of a packet.
     """
     data = _parse_bytes(packet)
     try:
@@ -97,7 +97,8 @@ def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
         click.echo(f"{first:{widths[0]}}  {second:{widths[1]}}  {words}")
     malformed = sum(isinstance(event, Malformed) for event in events)
     if malformed:
-        raise CommandFailed(f"{malformed} of {len(events)} parts are not packets.")
+        parts = counted(len(events), "part")
+        raise CommandFailed(f"Not a packet: {malformed} of {parts}.")
 
 
 def _row(event: Packet | Malformed) -> tuple[str, str, str]:

@@ -52,9 +52,9 @@ from trex_gui.devices.trex.settings.rules import Context
 def set_command(name: str, value: str, force: bool, **options: Any) -> None:
     """Store one parameter and read it back.
 
-    VALUE without a unit is a wire value: a whole number as in settings files. For example, 15 means
-    1.5 s for serial_timeout. Any other VALUE has a unit ("1.5 s") or is a word ("off"). The decimal
-    separator is a point or a comma. Thousands separators are not allowed.
+    A VALUE without a unit is a wire value: a whole number as in settings files. For example, 15
+    means 1.5 s for `serial_timeout`. Any other VALUE has a unit ("1.5 s") or is a word ("off"). The
+    decimal separator is a point or a comma. Thousands separators are not allowed.
 
     A snapshot of the stored settings is saved first. Nothing is written if the board already has
     this value.
@@ -98,8 +98,8 @@ def _check_value(name: str, value: str) -> None:
     specs = specs_of(name)
     if not specs[0].readable:
         raise click.UsageError(
-            f"{specs[0].name} is a command, not a value to store: `trexcmd restore-defaults` "
-            "shows what it would change, saves a snapshot and asks first."
+            f"{specs[0].name} is a command, not a stored value. Use `trexcmd restore-defaults`, "
+            "which shows the changes, asks for confirmation and saves a snapshot first."
         )
     problem: BadRequest | None = None
     for spec in specs:
@@ -141,7 +141,7 @@ def restore_defaults(yes: bool, **options: Any) -> None:
         write_one(client, state, "trexcmd restore-defaults", [(spec.key, spec.maximum)])
     line = specs[ParameterKey.UART_SETTINGS].text(factory.parameters[ParameterKey.UART_SETTINGS])
     say(
-        "The board accepted the reset. Switch it off and on. Then every parameter has its "
+        "The board accepted the reset. Switch the board off and on. Then every parameter has its "
         f"default, the board runs at {line}, and its device number is {number}. The channel "
         "calibrations do not change (inferred)."
     )

@@ -1,6 +1,7 @@
 """Transport to a served board, for commands that send single packets.
 
-Each packet crosses the network as a `SendPacket`. The server sends it between its own transactions.
+Each packet crosses the network as a `SendPacket`. The server sends the packet
+between its own transactions.
 """
 
 import time
@@ -72,7 +73,7 @@ class RemoteTransport:
                 raise report.error or PortUnavailable("The connection was closed.")
             if report is not None and is_awaited(report):
                 return report
-        raise NoReply(f"The server did not answer within {seconds:g} s.")
+        raise NoReply(f"The server did not reply within {seconds:g} s.")
 
     # --- Transport ----------------------------------------------------------------------
 
@@ -96,7 +97,7 @@ class RemoteTransport:
         if outcome.error is None and isinstance(outcome.value, bytes):
             self._received += outcome.value
         elif not isinstance(outcome.error, NoReply | BadReply):
-            raise outcome.error or BadReply("The server answered without a reply.")
+            raise outcome.error or BadReply("The server returned no reply from the board.")
 
     def read(self, size: int, seconds: float) -> bytes:
         del seconds

@@ -49,7 +49,9 @@ _JUMPERS = {Mode.RC: "rc", Mode.ANALOG: "analog"}
 
 @click.command()
 @click.argument("file", type=FileName(dir_okay=False))
-@click.option("--all", "everything", is_flag=True, help="Print all differences, not just one.")
+@click.option(
+    "--all", "everything", is_flag=True, help="Print all differences, not just the first."
+)
 def replay(file: str, everything: bool) -> None:
     """Send the packets of a traffic log to a simulated board and compare the replies.
 
@@ -80,7 +82,7 @@ def replay(file: str, everything: bool) -> None:
             if everything
             else "A reply differs; --all shows every difference."
         )
-    click.echo(f"{counted(len(rows), 'transaction')}, no difference.")
+    click.echo(f"{counted(len(rows), 'transaction')}, no differences.")
 
 
 @dataclass(slots=True)
@@ -96,7 +98,7 @@ class RecordedTraffic:
 
     @classmethod
     def load(cls, path: Path) -> "RecordedTraffic":
-        """Read a transcript without search probes. Raises SettingsError if nothing remains."""
+        """Read a transcript except search probes. Raises SettingsError if nothing remains."""
         text = load(path, tr("traffic logs"), LARGEST).decode("utf-8", "replace")
         all_rows = read_transcript(text, str(path), TrexDecoder())
         rows = [row for row in all_rows if not row.is_search]
@@ -122,8 +124,9 @@ class RecordedTraffic:
     def _record_values(self, row: TranscriptRow, written: set[object]) -> None:
         """Record the initial values that a row shows.
 
-        `written` contains the parameters and calibrations that earlier rows changed, so replies no
-        longer show their initial values. If the row changes a value, `written` is updated.
+        `written` contains the parameters and calibrations that earlier rows changed. These are not
+        recorded, because replies no longer show their initial values. Parameters and calibrations
+        that the row changes are added to `written`.
         """
         packet, reply = last_exchange(self._transaction(row))
         if isinstance(packet, Packet) and isinstance(reply, Reply) and reply.raw:
@@ -174,8 +177,7 @@ class RecordedTraffic:
     def replayed(self) -> Iterator[tuple[TranscriptRow, bytes]]:
         """Yield each row whose reply differs, with the reply of the simulator."""
         line = self._line()
-        first = self.rows[0].time if self.rows else 0.0
-        at, before = line.now, first
+        at, before = line.now, self.rows[0].time if self.rows else 0.0
         for row in self.rows:
             at += min(max(row.time - before, 0.0), _MAX_GAP)
             before = row.time
@@ -223,9 +225,9 @@ class RecordedTraffic:
 def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:
     """Return the CRC polynomial that makes the most packets readable. `None`: no CRC."""
 
-    def damaged(polynomial: int | None) -> int:
+    def malformed_packets(polynomial: int | None) -> int:
         packets = (item for row in rows[:_SAMPLE] for item in packets_of(row.sent, polynomial))
         return sum(isinstance(item.packet, Malformed) for item in packets)
 
     candidates: tuple[int | None, ...] = (None, DEFAULT_POLYNOMIAL, *range(0x80, 0x100))
-    return min(candidates, key=damaged)
+    return min(candidates, key=malformed_packets)

@@ -29,9 +29,9 @@ from trex_gui.devices.trex.settings.writer import write_settings
 @link_options
 @click.argument("file", metavar="FILE.zip|-", type=FileName(dir_okay=False, allow_dash=True))
 def report(file: str, **options: Any) -> None:
-    """Save a report for support: versions, ports, status, settings and traffic in one zip.
+    """Save a report for support: versions, ports, status, settings and traffic in a zip file.
 
-    With -, the report is printed instead. Names of users and computers, network addresses, and
+    With "-", the report is printed instead. Names of users and computers, network addresses, and
     serial numbers of adapters are masked. If no board replies, the report says why. Reading the
     error bits clears them in the board.
     """
@@ -48,7 +48,7 @@ def report(file: str, **options: Any) -> None:
 
 
 def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
-    """Read the board for the report. If this fails, `status.txt` contains the error."""
+    """Read the board and return the report's files. `status.txt` may contain a read error."""
     if not options["port"]:
         return {}
     settings, clock = link_settings(options), host().clock

@@ -34,7 +34,7 @@ _SERVICE_FILES = (
     ("/etc/systemd/system/", "trex-serve.service"),
 )
 _INSTALL = """\
-Save these two files (the Debian package contains them). Then run as root:
+Save the two files below (the Debian package contains them). Then run as root:
 
   useradd --system trex
   install -d -o trex -m 700 /etc/trex
@@ -58,8 +58,8 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     "--listen",
     metavar="HOST:PORT",
     default=None,
-    help=f"Listening address. Default: port {PORT} on every address with --users, otherwise only "
-    "on this computer.",
+    help=f"Address to listen on. Default with --users: port {PORT} on every address. Default "
+    f"without --users: port {PORT} on this computer only.",
 )
 @click.option("--users", "users_file", type=FileName(dir_okay=False), help="File with the users.")
 @click.option(
@@ -117,7 +117,7 @@ def serve(
         return
     if not is_name(name):
         raise click.UsageError(
-            f"{name!r} is not a name: use letters, digits, hyphens, underscores and dots."
+            f"{name!r} is not a valid name: use letters, digits, hyphens, underscores and dots."
         )
     settings = grouped(link_settings(options), boards)
     with reported_errors():
@@ -141,7 +141,7 @@ def serve(
         public_url = Address(public_host, name, "USER" if users else "", address.port).url
         say(f"Serving {settings.label} as {public_url}. Ctrl-C stops the motors and the server.")
         if not users:
-            say("Only programs on this computer can reach the board; --users admits others.")
+            say("Only programs on this computer can reach the board. --users admits network users.")
         elif not tls:
             say("Secrets are checked, but nothing is encrypted without --tls.")
         with Interruption(must_finish=True) as interrupted:
@@ -206,7 +206,7 @@ def add_user(path: Path, name: str, role: str) -> str:
         StudioError: the name is invalid or already used, or the file cannot be written.
     """
     if not _is_user(name):
-        raise BadRequest(f"{name!r} is not a user name: use letters and digits.")
+        raise BadRequest(f"{name!r} is not a valid user name: use up to 40 letters and digits.")
     before = load(path).decode("utf-8", "replace") if path.exists() else ""
     if any(line.split()[:1] == [name] for line in before.splitlines()):
         raise BadRequest(f"{path} already has a user {name}.")
@@ -231,7 +231,7 @@ def _is_user(name: str) -> bool:
 @click.option("--release", metavar="NAME", help="As an owner, end the current lease of this board.")
 @json_option
 def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> None:
-    """List the served boards, the users who drive them, and their problems.
+    """List the served boards, with their problems and the users who drive them.
 
     Queries the given computers. By default, queries this computer, the computers in the secrets
     file, and every server that responds on the local network.

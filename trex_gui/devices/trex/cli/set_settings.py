@@ -68,10 +68,13 @@ def _read_numbers(text: str) -> tuple[int, ...]:
     "--devices",
     type=_read_numbers,
     metavar="N,N,...",
-    help="Write to each of these boards on the line. Each keeps its number and serial settings.",
+    help="Write to each of these boards on the line. Each board keeps its device number and "
+    "serial settings.",
 )
 @click.option(
-    "--force", is_flag=True, help="Let the board decide about values beyond inferred limits."
+    "--force",
+    is_flag=True,
+    help="Let the board decide whether to accept values beyond inferred limits.",
 )
 def set_settings(
     file: str,
@@ -82,20 +85,20 @@ def set_settings(
     devices: tuple[int, ...] | None,
     **options: Any,
 ) -> None:
-    """Write the settings of FILE to the board. - is standard input.
+    """Write the settings of FILE to the board. "-" is standard input.
 
     Checks the file, saves a snapshot of the stored settings, writes only the differences, and reads
     each value back. Serial settings are written last. Ctrl-C ends the command after the current
     setting. Notes in the file are saved on this computer.
 
-    With --dry-run, the exit code is 0 even if settings differ, as in a real run. `trexcmd audit
+    With --dry-run, as in a real run, the exit code is 0 even if settings differ. `trexcmd audit
     FILE` exits with 1 if the board has different settings.
 
     With --convert, values that have a different meaning on this board are converted, and settings
     that the board does not have are left out. Both are listed.
 
     With --devices, every board is read and checked before anything is written. The first error ends
-    the command. Boards that follow in the list are unchanged.
+    the command, and later boards in the list do not change.
     """
     target = read_file(file)
     base = link_settings(options)
@@ -200,7 +203,7 @@ def _write(
     say_next_steps(client, link, state, after)
     if failed:
         prefix = "Interrupted: not" if interrupted else "Not"
-        raise CommandFailed(f"{prefix} all settings were stored; the others are unchanged.")
+        raise CommandFailed(f"{prefix} all settings were stored; the rest is unchanged.")
 
 
 def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:

@@ -72,7 +72,7 @@ _TITLES = {
     "in_control": "In control",
 }
 
-_ERROR_TITLES = {False: "Errors", True: "Latched before, perhaps by a search for the board"}
+_ERROR_TITLES = {False: "Errors", True: "Earlier errors, perhaps from a search for the board"}
 
 
 @click.command()
@@ -83,8 +83,8 @@ def status(as_json: bool, **options: Any) -> None:
 
     Shows the errors that occurred since they were last read. Reading clears them in the board. The
     measured currents may be off by 20 % (twin), as documented for a board with the same motor
-    drivers. In the vendor's document, channel 3 has six bits, 0 to 63. The program reads seven
-    (inferred).
+    drivers. In the vendor's document, channel 3 has six bits (0 to 63). The program reads seven
+    bits (inferred).
 
     With --json, measurements are numbers with the unit in the key, as in `trexcmd stream` and in
     recordings. The motor currents are `motor_1_current_A` and `motor_2_current_A`. Each channel has
@@ -129,7 +129,7 @@ def status(as_json: bool, **options: Any) -> None:
         click.echo(f"{name + ' setpoint:':22}{row['speed']} ({source})")
     click.echo("Motors:")
     if all(row["effect"] == Effect.NOTE.name.lower() for row in report["motors"]):
-        click.echo("  Nothing prevents them from following serial commands.")
+        click.echo("  Nothing prevents the motors from following serial commands.")
     for row in report["motors"]:
         click.echo(f"  {row['text']} {row['remedy']}".rstrip())
     click.echo("Channels:")
@@ -219,7 +219,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
         for event in board.handle(report, now, utc_now())
     ]
     inputs = board.inputs(now)
-    assert inputs is not None  # noqa: S101 - it was just read
+    assert inputs is not None  # noqa: S101 - the status was just read
     red, green = led_patterns(inputs)
     return {
         "product": state.signature.model.name,
@@ -268,7 +268,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
 
 
 def _errors(before: LatchedStatus, active: LatchedStatus) -> list[dict[str, str | bool]]:
-    """Return a row for each set bit. A search for the board may have caused earlier line errors."""
+    """Return a row for each set bit. A search for the board may have caused `is_earlier` errors."""
     status, uart = before.status | active.status, before.uart | active.uart
     earlier = before.uart & ~active.uart & ~UartError.TIMEOUT
     is_announced = bool(earlier) and earlier == uart  # the status bit reports no newer error

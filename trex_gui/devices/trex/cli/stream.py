@@ -44,7 +44,7 @@ def _read_separator(_context: click.Context, _option: click.Parameter, text: str
     "file",
     type=FileName(dir_okay=False, allow_dash=True),
     metavar="FILE|-",
-    help="CSV file to write. - is standard output, the default.",
+    help='CSV file to write. "-" is standard output, the default.',
 )
 @seconds_option
 @click.option(
@@ -60,7 +60,7 @@ def _read_separator(_context: click.Context, _option: click.Parameter, text: str
     default=",",
     callback=_read_separator,
     metavar="CHAR",
-    help='Character between two columns; "tab" is a tab. Default: a comma.',
+    help='Character between two columns, or "tab". Default: a comma.',
 )
 @click.option("--json", "as_json", is_flag=True, help="Write one JSON object per line, not CSV.")
 @click.pass_context
@@ -79,8 +79,9 @@ def stream(
     """Write the board's measurements as CSV, with a row for each new pair of motor currents.
 
     The header contains the units. The other columns of a row contain the newest values. Error bits
-    are in the first row after they were read, because reading clears them in the board. --interval
-    leaves out rows, but no error bits. The measured currents may be wrong by 20 % (twin).
+    are only in the first row after they were read, because reading clears them in the board.
+    --interval leaves out rows, but not their error bits. The measured currents may be off by 20 %
+    (twin: documented for a board with the same motor drivers).
     """
     if as_json and file is not None:
         raise click.UsageError(
@@ -163,7 +164,7 @@ def _rows(
             if (
                 isinstance(sample, ModeSample)
                 and sample.mode is not table.mode
-                and client.request(GetMode()) is sample.mode  # one reply may be corrupted
+                and client.request(GetMode()) is sample.mode  # a single reply may be corrupted
             ):
                 raise _ModeChanged
             failures = 0

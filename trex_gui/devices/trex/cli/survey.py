@@ -37,8 +37,12 @@ _Store = Callable[[ParameterSpec, int], int]  # writes a value and returns the s
 @click.command()
 @link_options
 @click.argument("file", type=FileName(dir_okay=False))
-@click.option("--limits", is_flag=True, help="Also try each range that has no source. Asks first.")
-@click.option("--as-new", is_flag=True, help="State that the board has its factory settings.")
+@click.option(
+    "--limits", is_flag=True, help="Also test each range without a source, after confirmation."
+)
+@click.option(
+    "--as-new", is_flag=True, help="Record in FILE that the board has its factory settings."
+)
 def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
     """Write facts about a board's firmware to FILE, for the developers of this program.
 
@@ -46,16 +50,16 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
     the error bits. The board treats an unknown number as a serial error, which may stop motors that
     the channels drive. FILE names no person, computer, port or adapter, and contains no notes.
 
-    With --limits, each range that no document confirms is tried. Values are written and read back,
-    and the setting is restored. Motors are never driven. The device number and the serial settings
-    never change. A snapshot is saved first, and everything is restored at the end, even after
-    Ctrl-C.
+    With --limits, tests the range of each setting whose range no document confirms. Values are
+    written and read back, and the setting is restored. Motors are never driven. The device number
+    and the serial settings never change. A snapshot is saved first, and everything is restored at
+    the end, even after Ctrl-C.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
         if limits:
             require_serial_mode(state, "Trying values")
-            question = "Write values to the settings whose range has no source, and restore them?"
+            question = "Write test values to settings whose range has no source, then restore them?"
             click.confirm(question, abort=True, err=True)
         facts = _Survey(client)
         with ProgressLine("Reading") as line:
@@ -81,7 +85,7 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
                     line(done, len(specs), spec.name)
                     facts.find_range(spec, state.parameters[spec.key], store, interrupted)
         text = facts.text(state.signature, as_new=as_new)
-        click.echo(text, nl=False)  # first, so that nothing is lost if the file cannot be written
+        click.echo(text, nl=False)  # before saving, which may fail
         save(Path(file), text)
 
 
@@ -187,8 +191,8 @@ class _Survey:
         return "\n".join(lines) + "\n"
 
 
-def _spans(numbers: Iterable[int], form: str) -> str:
+def _spans(numbers: Iterable[int], format_spec: str) -> str:
     """Return numbers in ascending order as text, such as `18-7A 7F`."""
     pairs = groupby(enumerate(numbers), key=lambda pair: pair[1] - pair[0])
     spans = [[number for _, number in group] for _, group in pairs]
-    return " ".join("-".join(format(n, form) for n in sorted({s[0], s[-1]})) for s in spans)
+    return " ".join("-".join(format(n, format_spec) for n in sorted({s[0], s[-1]})) for s in spans)
