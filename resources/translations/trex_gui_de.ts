@@ -17,15 +17,15 @@
         <translation>Der Port {0} ist nicht erreichbar: {1}.</translation></message>
     <message><source>There is no port {0}. Ports of this computer: {1}.</source>
         <translation>Es gibt keinen Port {0}. Ports dieses Computers: {1}.</translation></message>
-    <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
+    <message><source>{0} is in use by another program or locked by its driver. After a crash, the guardian process also uses it for up to 5 seconds to stop the motors. Close the other program or wait, then connect again.</source>
         <translation>{0} wird von einem anderen Programm verwendet oder ist durch seinen Treiber gesperrt; nach einem Absturz bis zu 5 Sekunden lang auch durch den Wächterprozess, der die Motoren stoppt.</translation></message>
-    <message><source>Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. Stop them, or cut their power.</source>
+    <message><source>Motors may still be turning: no stop has been confirmed for the {0} at {1}, driven since {2}. Stop the motors, or cut their power.</source>
         <translation>Motoren drehen sich vielleicht noch: Für das Board ({0}) an {1}, angesteuert seit {2}, ist kein Stopp bestätigt. Stoppen Sie sie oder trennen Sie die Motorversorgung.</translation></message>
-    <message><source>Motors may still be turning: {0} says that a board was left running, but it is damaged and does not say which. If a motor turns, cut its power; then delete the file.</source>
+    <message><source>Motors may still be turning: the file {0} shows that a board was left running, but the file is damaged and does not identify the board. If a motor is turning, cut its power. Then delete the file.</source>
         <translation>Motoren drehen sich vielleicht noch: {0} besagt, dass ein Board weiterlief, ist aber beschädigt und sagt nicht, welches. Falls sich ein Motor dreht, trennen Sie die Motorversorgung; löschen Sie dann die Datei.</translation></message>
-    <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
+    <message><source>The guardian process is still stopping the motors on {0}. Wait up to 5 seconds, then connect again.</source>
         <translation>Der Wächterprozess stoppt noch die Motoren an {0}; das dauert bis zu 5 Sekunden. Verbinden Sie danach erneut.</translation></message>
-    <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
+    <message><source>{0} is in use by {1}. Close the port there, then connect again.</source>
         <translation>{0} wird von {1} verwendet. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
     <message><source>The port {0} cannot be set to {1} ({2}).</source>
         <translation>Der Port {0} lässt sich nicht auf {1} einstellen ({2}).</translation></message>
@@ -39,7 +39,7 @@
         <translation>es ist keine gewöhnliche Datei</translation></message>
     <message><source>this is a binary file; settings are text</source>
         <translation>dies ist eine Binärdatei; Einstellungen sind Text</translation></message>
-    <message><source>this is UTF-16 text, as PowerShell writes it with &gt;; save it as UTF-8</source>
+    <message><source>this is UTF-16 text, as PowerShell writes with &gt;; save the file as UTF-8</source>
         <translation>dies ist UTF-16-Text, wie ihn PowerShell mit &gt; schreibt; speichern Sie ihn als UTF-8</translation></message>
     <message><source>it is a folder, not a file</source>
         <translation>es ist ein Ordner, keine Datei</translation></message>
@@ -63,43 +63,43 @@
         <translation>es gibt keinen Ordner {0}</translation></message>
     <message><source>permission denied</source>
         <translation>Zugriff verweigert</translation></message>
-    <message><source>It cannot be used: {0}.</source>
+    <message><source>The folder cannot be used: {0}.</source>
         <translation>Nicht verwendbar: {0}.</translation></message>
     <message><source>Samples lost here because the disk was too slow: {0}.</source>
         <translation>Hier fehlen Messwerte, weil der Datenträger zu langsam war: {0}.</translation></message>
     <message><source>This is not a TReX Studio recording.</source>
         <translation>Das ist keine Aufzeichnung von TReX Studio.</translation></message>
-    <message><source>It cannot be written: {0}.</source>
+    <message><source>The file cannot be written: {0}.</source>
         <translation>Sie kann nicht geschrieben werden: {0}.</translation></message>
-    <message><source>It cannot be opened: {0}.</source>
+    <message><source>The file cannot be opened: {0}.</source>
         <translation>Lässt sich nicht öffnen: {0}.</translation></message>
-    <message><source>It cannot be read: {0}.</source>
+    <message><source>The file cannot be read: {0}.</source>
         <translation>Sie kann nicht gelesen werden: {0}.</translation></message>
-    <message><source>It is damaged: {0}.</source>
+    <message><source>The file is damaged: {0}.</source>
         <translation>Beschädigt: {0}.</translation></message>
     <message><source>its time is not a number</source>
         <translation>die Zeit ist keine Zahl</translation></message>
     <message><source>The end of the file is missing.</source>
         <translation>Das Ende der Datei fehlt.</translation></message>
-    <message><source>Its log cannot be read: the last samples are missing.</source>
+    <message><source>The log of the recording cannot be read, so the last samples are missing.</source>
         <translation>Ihr Protokoll ist nicht lesbar: Die letzten Messwerte fehlen.</translation></message>
-    <message><source>The recording was not closed properly; samples of the last seconds may be missing.</source>
+    <message><source>The recording was not closed properly. Samples from the last seconds may be missing.</source>
         <translation>Sie wurde nicht beendet; Messwerte der letzten Sekunden können fehlen.</translation></message>
     <message><source>the clock in the header is not in seconds</source>
         <translation>die Uhrzeit im Kopf ist nicht in Sekunden angegeben</translation></message>
     <message><source>The column {0} is not the key of its table.</source>
         <translation>Die Spalte {0} ist nicht der Schlüssel ihrer Tabelle.</translation></message>
-    <message><source>its time is not in the recording</source>
+    <message><source>its time is outside the recording</source>
         <translation>die Zeit liegt nicht in der Aufzeichnung</translation></message>
     <message><source>Record {0} cannot be read: {1}.</source>
         <translation>Datensatz {0} ist nicht lesbar: {1}.</translation></message>
-    <message><source>{0} is not {1}</source>
+    <message><source>{0} is not of type {1}</source>
         <translation>{0} ist nicht vom Typ {1}</translation></message>
-    <message><source>A CSV file is an export and cannot be opened as a recording. Open the recording ({0}) that it was exported from.</source>
+    <message><source>A CSV file is an export and cannot be opened as a recording. Open the original recording ({0}).</source>
         <translation>Eine CSV-Datei ist ein Export und lässt sich nicht als Aufzeichnung öffnen. Öffnen Sie die Aufzeichnung ({0}), aus der sie exportiert wurde.</translation></message>
-    <message><source>It is still being recorded. End the recording, then open it again.</source>
+    <message><source>The recording is still running. End the recording, then open the file again.</source>
         <translation>Sie wird noch aufgezeichnet. Beenden Sie die Aufzeichnung und öffnen Sie sie dann erneut.</translation></message>
-    <message><source>Its format, {0}, is unknown. A later version of TReX Studio may be able to open it.</source>
+    <message><source>The format of the file ({0}) is unknown. A later version of TReX Studio may be able to open the file.</source>
         <translation>Das Format {0} ist unbekannt. Eine neuere Version von TReX Studio kann sie vielleicht öffnen.</translation></message>
     <message><source>This is a recording of another device: {0}. Select the port or the demo of that device in the list of ports, then open the file again.</source>
         <translation>Das ist eine Aufzeichnung eines anderen Geräts: {0}. Sie lässt sich öffnen, wenn das Fenster die Seiten dieses Geräts zeigt: Wählen Sie seinen Port oder seine Demo in der Liste der Ports und öffnen Sie die Datei dann erneut.</translation></message>
@@ -107,9 +107,9 @@
         <translation>Die Tabelle {0} fehlt.</translation></message>
     <message><source>The column {0} is missing.</source>
         <translation>Die Spalte {0} fehlt.</translation></message>
-    <message><source>Samples of {0} between records {1} and {2} are lost: {3}.</source>
+    <message><source>Samples of the kind {0} between records {1} and {2} are lost: {3}.</source>
         <translation>Messwerte von {0} in den Datensätzen {1} bis {2} sind verloren: {3}.</translation></message>
-    <message><source>The column {0} is computed.</source>
+    <message><source>The column {0} is computed, but it must be stored.</source>
         <translation>Die Spalte {0} ist berechnet.</translation></message>
     <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board now connected there has confirmed a stop. If a motor is still turning, cut its power.</source>
         <translation>Die Motoren des Boards ({0}) an {1}, angesteuert seit {2}, liefen noch. Das Board, das jetzt dort ist, hat einen Stopp bestätigt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
@@ -119,11 +119,11 @@
         <translation>einer anderen Leitung dieses Programms</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (Prozess {1})</translation></message>
-    <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
+    <message><source>Join the group of the port with this command, then log out and log in again: {0} (or grant access until the port is unplugged: {1}).</source>
         <translation>Treten Sie seiner Gruppe bei, dann melden Sie sich ab und wieder an: {0} (oder, bis zum Ausstecken: {1}).</translation></message>
     <message><source>the server rejects the line settings</source>
         <translation>der Server lehnt die Leitungseinstellungen ab</translation></message>
-    <message><source>It belongs to root; this command grants access until the port is unplugged: {0}</source>
+    <message><source>The port belongs to root. This command grants access until the port is unplugged: {0}</source>
         <translation>Er gehört root; dieser Befehl öffnet ihn bis zum Ausstecken: {0}</translation></message>
     <message><source>none</source>
         <translation>keine</translation></message>
@@ -155,21 +155,21 @@
         <translation>{0} Baud</translation></message>
     <message><source>Opened {0}.</source>
         <translation>{0} geöffnet.</translation></message>
-    <message><source>this is not a traffic log, as written by the Traffic page and by trexcmd --traffic</source>
+    <message><source>this is not a traffic log from the Traffic page or from trexcmd --traffic</source>
         <translation>dies ist kein Datenverkehrsprotokoll: Solche schreiben die Seite „Datenverkehr“ und trexcmd --traffic</translation></message>
     <message><source>this is not a row of a traffic log</source>
         <translation>dies ist keine Zeile eines Datenverkehrsprotokolls</translation></message>
     <message><source>{0} cannot be written: {1}.</source>
         <translation>{0} kann nicht geschrieben werden: {1}.</translation></message>
-    <message><source>Other users of this computer can read the secrets: chmod 600 “{0}”.</source>
+    <message><source>Other users of this computer can read your secrets. Prevent this with the command: chmod 600 “{0}”</source>
         <translation>Andere Benutzer dieses Rechners können die Geheimnisse lesen: chmod 600 „{0}“.</translation></message>
-    <message><source>{0} is not trex://host/name, such as trex://robot.local/arm.</source>
+    <message><source>{0} does not have the form trex://host/name, such as trex://robot.local/arm.</source>
         <translation>{0} ist nicht trex://Rechner/Name, etwa trex://robot.local/arm.</translation></message>
     <message><source>{0}: {1!r} is not a kind of port; try socket:// or rfc2217://.</source>
         <translation>{0}: Eine Portart {1!r} gibt es nicht; versuchen Sie socket:// oder rfc2217://.</translation></message>
-    <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
+    <message><source>{0} does not have the form {1}://host:port, such as {1}://192.168.1.20:2217.</source>
         <translation>{0} hat nicht die Form {1}://host:port, zum Beispiel {1}://192.168.1.20:2217.</translation></message>
-    <message><source>{0} is not a host, such as robot.local.</source>
+    <message><source>{0} is not the name of a host, such as robot.local.</source>
         <translation>{0} ist kein Rechner, etwa robot.local.</translation></message>
     <message><source>Opening this port reset the board: it responds again after about a second.</source>
         <translation>Das Öffnen dieses Ports hat das Board zurückgesetzt: Es antwortet etwa eine Sekunde später.</translation></message>
@@ -937,24 +937,24 @@
         <translation>Adapter</translation></message>
     <message><source>bench tests</source>
         <translation>Prüfläufe</translation></message>
+    <message><source>line {0}: expected the columns {1}</source>
+        <translation>Zeile {0}: erwartet werden die Spalten {1}</translation></message>
     <message><source>it is not a text file</source>
         <translation>es ist keine Textdatei</translation></message>
+    <message><source>line {0}: invalid row “{1}”</source>
+        <translation>Zeile {0}: ungültige Zeile „{1}“</translation></message>
     <message><source>line 1: a bench test begins with {0!r}</source>
         <translation>Zeile 1: Ein Prüflauf beginnt mit {0!r}</translation></message>
     <message><source>motor: expected 1 or 2, not {0}</source>
         <translation>motor: erwartet wird 1 oder 2, nicht {0}</translation></message>
     <message><source>the line “# {0}: …” is missing</source>
         <translation>die Zeile „# {0}: …“ fehlt</translation></message>
-    <message><source>line {0}: expected the columns {1}</source>
-        <translation>Zeile {0}: erwartet werden die Spalten {1}</translation></message>
     <message><source>line {0}: expected a name and a value</source>
         <translation>Zeile {0}: erwartet werden ein Name und ein Wert</translation></message>
     <message><source>{0}: invalid value “{1}”</source>
         <translation>{0}: ungültiger Wert „{1}“</translation></message>
     <message><source>line {0} or below: {1}</source>
         <translation>Zeile {0} oder darunter: {1}</translation></message>
-    <message><source>line {0}: invalid row “{1}”</source>
-        <translation>Zeile {0}: ungültige Zeile „{1}“</translation></message>
     <message><source>step {0}, {1} s</source>
         <translation>Sprung {0}, {1} s</translation></message>
     <message><source>ramp {0}, {1} s</source>
@@ -969,25 +969,25 @@
         <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
     <message><source>the period of a bench test must be {0:g} to {1:g} s, not {2:g} s</source>
         <translation>die Periode eines Prüflaufs ist {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
-    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
+    <message><source>{0} This report is doubtful, because the line is noisy and has no CRC.</source>
         <translation>{0} Zweifelhaft: Die Leitung ist gestört und hat kein CRC.</translation></message>
     <message><source>The board does not respond; the stop is being repeated.</source>
         <translation>Das Board antwortet nicht; der Stopp wird wiederholt.</translation></message>
-    <message><source>Check cable and ground, and that no other program sends on this line.</source>
+    <message><source>Check the cable and the ground connection, and make sure that no other program sends on this line.</source>
         <translation>Prüfen Sie Kabel und Masse und ob kein anderes Programm auf dieser Leitung sendet.</translation></message>
-    <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
+    <message><source>Check the cable and the ground connection, and make sure that every program on this line uses the same polynomial.</source>
         <translation>Prüfen Sie Kabel und Masse und ob jedes Programm an dieser Leitung dasselbe Polynom verwendet.</translation></message>
-    <message><source>Check cable, ground and baud rate, and keep motor leads away from the line.</source>
+    <message><source>Check the cable, the ground connection and the baud rate, and keep motor leads away from the cable.</source>
         <translation>Prüfen Sie Kabel, Masse und Baudrate, und halten Sie die Motorleitungen von der Leitung fern.</translation></message>
     <message><source>Use a lower baud rate.</source>
         <translation>Verwenden Sie eine niedrigere Baudrate.</translation></message>
-    <message><source>Check cable and ground, and that every program on this line uses the same parity.</source>
+    <message><source>Check the cable and the ground connection, and make sure that every program on this line uses the same parity.</source>
         <translation>Prüfen Sie Kabel und Masse und ob jedes Programm an dieser Leitung dieselbe Parität verwendet.</translation></message>
-    <message><source>Let no other program send on this line.</source>
+    <message><source>Make sure that no other program sends on this line.</source>
         <translation>Lassen Sie kein anderes Programm auf dieser Leitung senden.</translation></message>
-    <message><source>Let other programs request fewer channels at once.</source>
+    <message><source>Make other programs request fewer channels at once.</source>
         <translation>Lassen Sie andere Programme weniger Kanäle auf einmal anfordern.</translation></message>
-    <message><source>Latched before connecting, perhaps by a search for the board: {0}</source>
+    <message><source>Latched before the connection, perhaps by a scan for the board: {0}</source>
         <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
         <translation>Verbunden mit {0} an {1}.</translation></message>
@@ -1017,57 +1017,57 @@
         <translation>dieses Programm</translation></message>
     <message><source>Motors may still be turning: disconnected before a stop was confirmed</source>
         <translation>Die Motoren können sich noch drehen: getrennt, bevor ein Stopp bestätigt war</translation></message>
-    <message><source>The network to the robot is silent.</source>
+    <message><source>The server of the robot does not respond.</source>
         <translation>Das Netz zum Roboter ist still.</translation></message>
     <message><source>Driver: {0}</source>
         <translation>Fahrer: {0}</translation></message>
-    <message><source>The line is noisy: {0:.1f} % lost</source>
+    <message><source>The line is noisy: {0:.1f} % of the replies were lost or corrupted</source>
         <translation>Die Leitung ist gestört: {0:.1f} % verloren</translation></message>
     <message><source>The line is good again</source>
         <translation>Die Leitung ist wieder gut</translation></message>
     <message><source>The board reports: {0}.</source>
         <translation>Das Board meldet: {0}.</translation></message>
-    <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+    <message><source>noisy: {0:.1f} % of the requests in the last {1:.0f} s were answered</source>
         <translation>gestört: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
     <message><source>being measured …</source>
         <translation>wird gemessen …</translation></message>
-    <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+    <message><source>good: {0:.1f} % of the requests in the last {1:.0f} s were answered</source>
         <translation>gut: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
-    <message><source>The ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
+    <message><source>The proposed ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that the stick reliably reaches full output. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
         <translation>Die Enden liegen um 1 % des Wegs und das Dreifache des Rauschens innerhalb der gemessenen, damit die volle Ausgabe sicher erreicht wird. Der Totbereich deckt das Rauschen in Ruhe ab, beträgt aber mindestens {0}, da ein Knüppel nicht jedes Mal genau an dieselbe Stelle zurückkehrt.</translation></message>
+    <message><source>At rest, the noise is {0}, so the deadband is twice this value.</source>
+        <translation>In Ruhe beträgt sein Rauschen {0}: Der Totbereich ist doppelt so groß.</translation></message>
     <message><source>{0}, so the channel should be reversed.</source>
         <translation>{0}; Vorschlag: umgekehrt.</translation></message>
     <message><source>{0}, so the channel should not be reversed.</source>
         <translation>{0}; Vorschlag: nicht umgekehrt.</translation></message>
-    <message><source>The measured ends are up to {0} farther out.</source>
+    <message><source>The measured ends are up to {0} beyond the proposed ends.</source>
         <translation>Die gemessenen Endlagen liegen bis zu {0} weiter außen.</translation></message>
     <message><source>The signal never goes above its rest position, so maximum is set to the limit of the input.</source>
         <translation>Er geht nie über seine Ruhelage, daher wird das Maximum auf die Grenze des Eingangs gesetzt.</translation></message>
     <message><source>The signal never goes below its rest position, so minimum is set to the limit of the input.</source>
         <translation>Er geht nie unter seine Ruhelage, daher wird das Minimum auf die Grenze des Eingangs gesetzt.</translation></message>
-    <message><source>The value fell when the stick went forward or right first</source>
+    <message><source>The value fell when the stick first went forward or right</source>
         <translation>Der Wert fiel, als der Knüppel zuerst nach vorn oder rechts ging</translation></message>
-    <message><source>The value rose when the stick went forward or right first</source>
+    <message><source>The value rose when the stick first went forward or right</source>
         <translation>Der Wert stieg, als der Knüppel zuerst nach vorn oder rechts ging</translation></message>
-    <message><source>The other position reads higher than the rest position, which should be off</source>
+    <message><source>The value is higher in the other position than at rest, where the switch should be off</source>
         <translation>Die andere Stellung liegt über der Ruhelage, die „aus“ sein soll</translation></message>
-    <message><source>The other position reads lower than the rest position, which should be off</source>
+    <message><source>The value is lower in the other position than at rest, where the switch should be off</source>
         <translation>Die andere Stellung liegt unter der Ruhelage, die „aus“ sein soll</translation></message>
-    <message><source>At rest the noise is {0}: the deadband is twice this value.</source>
-        <translation>In Ruhe beträgt sein Rauschen {0}: Der Totbereich ist doppelt so groß.</translation></message>
     <message><source>there is nothing to compare: only probes were sent</source>
         <translation>es gibt nichts zu vergleichen: Außer für die Suche wurde nichts gesendet</translation></message>
-    <message><source>TReX 1.2, as no signature was read</source>
+    <message><source>TReX 1.2, because no signature was read</source>
         <translation>TReX 1.2, da keine Signatur gelesen wurde</translation></message>
     <message><source>1 stored value</source>
         <translation>1 gespeicherter Wert</translation></message>
-    <message><source>{0}, {1} from the file, others at their defaults</source>
+    <message><source>{0}, {1} from the file, all other values at their defaults</source>
         <translation>{0}, {1} aus der Datei, die übrigen wie ab Werk</translation></message>
     <message><source>traffic logs</source>
         <translation>Datenverkehrsprotokolle</translation></message>
     <message><source>{0} stored values</source>
         <translation>{0} gespeicherte Werte</translation></message>
-    <message><source>{0}; the simulated board has its default.</source>
+    <message><source>{0}; the simulated board uses the default value instead.</source>
         <translation>{0}; das simulierte Board hat seinen Standardwert.</translation></message>
     <message><source>learned channels</source>
         <translation>eingelernte Kanäle</translation></message>
@@ -1085,15 +1085,15 @@
         <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
     <message><source>After a power cycle, it will run at {0}.</source>
         <translation>Nach dem Aus- und Einschalten läuft es mit {0}.</translation></message>
-    <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
+    <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. Either it is another device, or the line is noisy.</source>
         <translation>An {0} ist etwas angeschlossen, das aber nicht wie ein TReX antwortet: Es hat {1} mit {2} gesendet{3}. Es ist ein anderes Gerät, oder die Leitung ist gestört.</translation></message>
-    <message><source>It is set to {0} baud, but firmware {1} then runs at half that rate: connect at {2}.</source>
+    <message><source>It is set to {0} baud, but with this setting, firmware {1} runs at half the rate: connect at {2} baud.</source>
         <translation>Es ist auf {0} Baud eingestellt; Firmware {1} läuft dabei mit der Hälfte: Verbinden Sie mit {2}.</translation></message>
     <message><source>It is set to {0} stop bits; either number works on this line.</source>
         <translation>Es ist auf {0} Stoppbits eingestellt; an dieser Leitung funktioniert beides.</translation></message>
-    <message><source> The port cannot be set to {0} baud, so nothing was probed there.</source>
-        <translation> Der Port lässt sich nicht auf {0} Baud einstellen, daher wurde damit nicht gesucht.</translation></message>
-    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
+    <message><source> The port does not support {0} baud, so the scan skipped these settings.</source>
+        <translation> Der Port unterstützt {0} Baud nicht, daher wurden diese Einstellungen ausgelassen.</translation></message>
+    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. Only the full scan finds a board with a custom CRC polynomial.</source>
         <translation>An {0} antwortet kein TReX, bei keiner Baudrate, mit keiner Parität und nicht mit CRC. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt) und ob die Masse verbunden ist. Ein Board mit eigenem CRC-Polynom findet nur die vollständige Suche.</translation></message>
     <message><source>, and data at {0} other settings</source>
         <translation>, und bei {0} weiteren ebenfalls etwas</translation></message>
@@ -1109,7 +1109,7 @@
         <translation>Trennen Sie die Motorversorgung.</translation></message>
     <message><source>The board does not respond.</source>
         <translation>Das Board antwortet nicht.</translation></message>
-    <message><source>Its server stops the motors half a second after the last heartbeat.</source>
+    <message><source>The server stops the motors half a second after the last heartbeat.</source>
         <translation>Sein Server stoppt die Motoren eine halbe Sekunde nach dem letzten Lebenszeichen.</translation></message>
     <message><source>Channel {0} is required but has no signal.</source>
         <translation>Kanal {0} ist erforderlich, hat aber kein Signal.</translation></message>
@@ -1117,21 +1117,21 @@
         <translation>Safe-Start hält die Motoren ausgeschaltet: Schalten Sie den Sender ein und lassen Sie seine Knüppel los.</translation></message>
     <message><source>Channel {0} is {1} above neutral.</source>
         <translation>Kanal {0} liegt {1} über der Neutralstellung.</translation></message>
-    <message><source>Safe-start holds the motors until it is within about {2} (inferred): release the stick, or calibrate the channel (in serial mode).</source>
+    <message><source>Safe-start holds the motors until the channel is within about {2} of neutral (inferred): release the stick, or calibrate the channel (in serial mode).</source>
         <translation>Safe-Start hält die Motoren zurück, bis er höchstens etwa {2} abweicht (erschlossen): Lassen Sie den Knüppel los oder kalibrieren Sie den Kanal (im seriellen Modus).</translation></message>
     <message><source>Channel {0} is {1} below neutral.</source>
         <translation>Kanal {0} liegt {1} unter der Neutralstellung.</translation></message>
     <message><source>Channel 5 requests serial override.</source>
         <translation>Kanal 5 fordert den seriellen Vorrang an.</translation></message>
-    <message><source>Safe-start holds the motors until this switch is off once.</source>
+    <message><source>Safe-start holds the motors until you turn the switch of channel 5 off.</source>
         <translation>Safe-Start hält die Motoren zurück, bis dieser Schalter einmal aus ist.</translation></message>
     <message><source>Safe-start may be holding the motors (inferred).</source>
         <translation>Vielleicht hält Safe-Start die Motoren zurück (erschlossen).</translation></message>
     <message><source>Release all sticks.</source>
         <translation>Lassen Sie alle Knüppel los.</translation></message>
-    <message><source>Motor {0} is off: its driver shut down (too hot, a short circuit, or low voltage).</source>
+    <message><source>Motor {0} is off: its driver shut down because of overheating, a short circuit or low voltage.</source>
         <translation>Motor {0} wird nicht angetrieben: Sein Treiber hat abgeschaltet (zu heiß, Kurzschluss oder Unterspannung).</translation></message>
-    <message><source>Reduce the load, check wires and battery, and let it cool.</source>
+    <message><source>Reduce the load, check the wires and the battery, and let the driver cool.</source>
         <translation>Verringern Sie die Last, prüfen Sie Kabel und Batterie, lassen Sie den Treiber abkühlen.</translation></message>
     <message><source>Serial timeout: the board received nothing for {0}.</source>
         <translation>Serielles Timeout: Das Board hat {0} lang nichts empfangen.</translation></message>
@@ -1139,11 +1139,11 @@
         <translation>Prüfen Sie das Kabel oder stellen Sie unter „Parameter“ ein längeres „Serielles Timeout“ ein.</translation></message>
     <message><source>Serial errors ({0}): the board stops the motors when bytes arrive corrupted.</source>
         <translation>Serielle Fehler ({0}): Das Board stoppt die Motoren, wenn Bytes verfälscht ankommen.</translation></message>
-    <message><source>Check cable and ground. Without UART-Error Shutdown the Serial Timeout may not stop the motors either (twin).</source>
+    <message><source>Check the cable and the ground connection. Without UART-Error Shutdown, the Serial Timeout may not stop the motors either (twin).</source>
         <translation>Prüfen Sie Kabel und Masse. Ohne „Abschaltung bei UART-Fehlern“ stoppt vielleicht auch das serielle Timeout die Motoren nicht (Zwilling).</translation></message>
-    <message><source>Stopping: the board has not confirmed it yet.</source>
+    <message><source>Stopping: the board has not confirmed the stop yet.</source>
         <translation>Stopp läuft: Das Board hat ihn noch nicht bestätigt.</translation></message>
-    <message><source>The stop is being repeated; motors may still turn.</source>
+    <message><source>The stop is being repeated. Motors may still be turning.</source>
         <translation>Der Stopp wird wiederholt; die Motoren können sich noch drehen.</translation></message>
     <message><source>Stopped. The motors are locked for {0} s.</source>
         <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
@@ -1151,7 +1151,7 @@
         <translation>Geben Sie sie danach wieder frei.</translation></message>
     <message><source>{0} drives this robot. You can watch and stop it.</source>
         <translation>{0} fährt diesen Roboter. Sie können zusehen und ihn stoppen.</translation></message>
-    <message><source>“Arm motors” asks {0} to hand over.</source>
+    <message><source>“Arm motors” asks {0} to hand over control.</source>
         <translation>„Motoren freigeben“ bittet {0}, ihn zu übergeben.</translation></message>
     <message><source>No board is connected.</source>
         <translation>Es ist kein Board verbunden.</translation></message>
@@ -1161,23 +1161,23 @@
         <translation>Das Programm verbindet sich mit dem Board.</translation></message>
     <message><source>The connection is being closed.</source>
         <translation>Die Verbindung wird geschlossen.</translation></message>
-    <message><source>The board has not reported yet what controls the motors.</source>
+    <message><source>The board has not yet reported what controls the motors.</source>
         <translation>Das Board hat noch nicht gemeldet, was die Motoren steuert.</translation></message>
     <message><source>The board reports that serial commands do not control the motors.</source>
         <translation>Das Board meldet, dass serielle Befehle die Motoren nicht steuern.</translation></message>
-    <message><source>Switch it off and on.</source>
-        <translation>Schalten Sie es aus und ein.</translation></message>
+    <message><source>Switch the board off and on.</source>
+        <translation>Das Board muss aus- und eingeschaltet werden.</translation></message>
     <message><source>The RC channels control the motors, not serial commands.</source>
         <translation>Die RC-Kanäle steuern die Motoren, nicht serielle Befehle.</translation></message>
-    <message><source>To drive by serial commands, turn on the override switch (channel 5), or switch the board off, remove the mode jumper and switch it on.</source>
+    <message><source>To drive by serial commands, turn on the override switch (channel 5), or switch the board off, remove the mode jumper and switch the board on again.</source>
         <translation>Um mit seriellen Befehlen zu fahren, schalten Sie den Vorrangschalter (Kanal 5) ein oder schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
     <message><source>The analog channels control the motors, not serial commands.</source>
         <translation>Die Analogkanäle steuern die Motoren, nicht serielle Befehle.</translation></message>
-    <message><source>Commands without a device number would reach several boards.</source>
+    <message><source>Commands without a device number would reach more than one board.</source>
         <translation>Befehle ohne Gerätenummer würden mehrere Boards erreichen.</translation></message>
     <message><source>Select one of the boards on this line.</source>
         <translation>Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
-    <message><source>Board {0}, which is driven with this one, does not follow.</source>
+    <message><source>Board {0}, which is driven together with this board, does not follow commands.</source>
         <translation>Board {0}, das mit diesem gefahren wird, folgt nicht.</translation></message>
     <message><source>Its diagram shows why. “Drive alone” drives the other board without it.</source>
         <translation>Seine Zeichnung sagt, warum. „Allein fahren“ verwendet das andere ohne dieses.</translation></message>
@@ -1191,7 +1191,7 @@
         <translation>Nicht freigegeben: Kein Motor wird angesteuert.</translation></message>
     <message><source>Put the robot on blocks, then arm the motors.</source>
         <translation>Bocken Sie den Roboter auf und geben Sie dann die Motoren frei.</translation></message>
-    <message><source>Motor {0} is slowed down: current over the limit.</source>
+    <message><source>Motor {0} is slowed down: its current exceeds the limit.</source>
         <translation>Motor {0} wird verlangsamt: Strom über der Grenze.</translation></message>
     <message><source>Reduce the load, or raise the current limit in Parameters.</source>
         <translation>Verringern Sie die Last oder erhöhen Sie die Stromgrenze unter „Parameter“.</translation></message>
@@ -1215,7 +1215,7 @@
         <translation>blinkt schnell</translation></message>
     <message><source>Motors may still be turning.</source>
         <translation>Die Motoren drehen sich vielleicht noch.</translation></message>
-    <message><source>The board should stop {0} after the last byte; if not, cut the power.</source>
+    <message><source>The board should stop its motors {0} after the last byte. If it does not, cut the power.</source>
         <translation>Das Board sollte die Motoren {0} nach dem letzten Byte stoppen; wenn nicht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The auxiliary motor may still be turning.</source>
         <translation>Der Hilfsmotor dreht sich vielleicht noch.</translation></message>
@@ -1225,13 +1225,13 @@
         <translation>Nicht geschrieben: Das Board speichert andere Einstellungen als bei der Prüfung.</translation></message>
     <message><source>The same settings for several boards</source>
         <translation>Dieselben Einstellungen für mehrere Boards</translation></message>
-    <message><source>It does not respond. Check that it has power.</source>
+    <message><source>The board does not respond. Check that it has power.</source>
         <translation>Es antwortet nicht. Prüfen Sie, ob es mit Strom versorgt ist.</translation></message>
     <message><source>Not verified: {0}. {1}</source>
         <translation>Konnte nicht bestätigt werden: {0}. {1}</translation></message>
     <message><source>The connection was closed.</source>
         <translation>Die Verbindung wurde geschlossen.</translation></message>
-    <message><source>In joint mode the board measures no current, so a test could not be aborted.</source>
+    <message><source>In joint mode the board measures no current, so excessive current could not abort a test.</source>
         <translation>Im Parallelbetrieb misst das Board keinen Strom; ein Prüflauf ließe sich nicht abbrechen.</translation></message>
     <message><source>No current has been read yet.</source>
         <translation>Es wurde noch kein Strom gelesen.</translation></message>
@@ -1251,7 +1251,7 @@
         <translation>{0:g} s lang wurde kein Strom gelesen.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Motor {0} hat seine Stromgrenze überschritten.</translation></message>
-    <message><source>No other board replies on this line. Each board needs power, the same serial settings as this one, and its own device number.</source>
+    <message><source>No other board replied on this line. Every board needs power, the same serial settings as the connected board, and a unique device number.</source>
         <translation>An dieser Leitung antwortet kein anderes Board. Jedes braucht Strom, dieselben seriellen Einstellungen wie dieses und eine eigene Gerätenummer.</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
         <translation><numerusform>%n Board an dieser Leitung.</numerusform><numerusform>%n Boards an dieser Leitung.</numerusform></translation></message>
@@ -1269,7 +1269,7 @@
         <translation>Die Neutralstellung kann nicht über das Minimum hinaus.</translation></message>
     <message><source>Neutral cannot pass maximum.</source>
         <translation>Die Neutralstellung kann nicht über das Maximum hinaus.</translation></message>
-    <message><source>The deadband ends at neutral.</source>
+    <message><source>The ends of the deadband cannot pass neutral.</source>
         <translation>Der Totbereich endet an der Neutralstellung.</translation></message>
     <message><source>Motor 1</source>
         <translation>Motor 1</translation></message>
@@ -1307,15 +1307,15 @@
         <translation>steuert den einen Motor, den beide Treiber speisen (Parallelbetrieb, kein Mischer)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>hat keinen Motor: im Parallelbetrieb speisen beide Treiber Motor 1</translation></message>
-    <message><source>{0} ({1}) is outside the input range. {2} Full output on that side is never reached.</source>
+    <message><source>{0} ({1}) is outside the input range. {2} The output never reaches its full value on that side.</source>
         <translation>{0} ({1}) liegt außerhalb des Eingangsbereichs. {2} Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
     <message><source>is ignored: it is held at neutral, whatever its input</source>
         <translation>wird ignoriert: er bleibt in Neutralstellung, was auch immer am Eingang anliegt</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
         <translation>Im RC- und Analogmodus gilt: Er {1}.</translation></message>
-    <message><source>The board reads {0} now, and shows and accepts only their calibrations. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
+    <message><source>The board now reads {0}, so it shows and accepts only the calibrations for {0}. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen, lassen Sie es {1} lesen: Stellen Sie „Eingangsquelle der Kanäle“ um, wenden Sie die Änderung an und schalten Sie das Board aus und ein.</translation></message>
-    <message><source>The board reads {0} now, and shows and accepts only their calibrations. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
+    <message><source>The board now reads {0}, so it shows and accepts only the calibrations for {0}. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
         <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen: Schalten Sie es aus, stecken Sie den Modus-Jumper auf {2}, schalten Sie es ein.</translation></message>
     <message><source>applied {0}</source>
         <translation>angewendet {0}</translation></message>
@@ -1349,9 +1349,9 @@
         <translation>Jetzt ein. Er {1}.</translation></message>
     <message><source>Channel {0} {1}.</source>
         <translation>Kanal {0} {1}.</translation></message>
-    <message><source>{0} It accepts a calibration only when minimum is not above neutral, neutral is not above maximum, and minimum and maximum differ.</source>
+    <message><source>{0} The board accepts a calibration only if minimum is not above neutral, neutral is not above maximum, and minimum and maximum differ.</source>
         <translation>{0} Es akzeptiert eine Kalibrierung nur, wenn das Minimum nicht über der Neutralstellung und die Neutralstellung nicht über dem Maximum liegt und Minimum und Maximum verschieden sind.</translation></message>
-    <message><source>{0} The edits are kept meanwhile.</source>
+    <message><source>{0} Your edits are kept.</source>
         <translation>{0} Die Änderungen bleiben so lange erhalten.</translation></message>
     <message><source>The board would reject this: {0}.</source>
         <translation>Das Board würde dies ablehnen: {0}.</translation></message>
@@ -1363,7 +1363,7 @@
         <translation>{0}; er ist umgekehrt</translation></message>
     <message><source>Not connected.</source>
         <translation>Nicht verbunden.</translation></message>
-    <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
+    <message><source>The board has stopped responding. Check its power. Waiting for a reply …</source>
         <translation>Das Board antwortet nicht mehr. Ist es eingeschaltet? Es wird darauf gewartet …</translation></message>
     <message><source>Selecting device {0} …</source>
         <translation>Gerät {0} wird ausgewählt …</translation></message>
@@ -1393,7 +1393,7 @@
         <translation>{0}. Es ist kein Board verbunden, das sich stoppen ließe, und die Motoren können sich noch drehen: Trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. Das Board hat den Stopp bestätigt.</translation></message>
-    <message><source>{0}. The line is closed.</source>
+    <message><source>{0}. The connection is closed.</source>
         <translation>{0}. Die Leitung ist geschlossen.</translation></message>
     <message><source>Learning: remove the Mix jumper to begin.</source>
         <translation>Einlernen: Mix-Jumper abziehen, um zu beginnen.</translation></message>
@@ -1409,19 +1409,19 @@
         <translation>Eingelernt; Grün ist gut. SO–G abziehen, dann aus- und einschalten.</translation></message>
     <message><source>Boot loader: remove Mix, then SO–G.</source>
         <translation>Bootloader: Mix abziehen, dann SO–G.</translation></message>
-    <message><source>Boot loader: waiting for firmware. Power-cycle to leave.</source>
+    <message><source>Boot loader: waiting for firmware. Power-cycle to exit.</source>
         <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
-    <message><source>Edits, notes or settings of another board with this device number were saved here. They are now in {0}.</source>
+    <message><source>Edits, notes or settings of another board with this device number were already saved. They were moved to {0}.</source>
         <translation>Für ein anderes Board mit dieser Gerätenummer waren hier Änderungen, Notizen oder Einstellungen hinterlegt. Sie sind jetzt in {0}.</translation></message>
     <message><source>The settings could not be read again. {0}</source>
         <translation>Erneutes Lesen fehlgeschlagen. {0}</translation></message>
-    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: saved, and offered when it is connected again.</source>
+    <message numerus="yes"><source>%n unapplied edit(s) of the previous {0} saved. They are offered when that board is connected again.</source>
         <translation><numerusform>%n Änderung wurde nicht auf {0}, das vorige Board, angewendet: Sie bleibt erhalten und wird angeboten, wenn es wieder verbunden ist.</numerusform><numerusform>%n Änderungen wurden nicht auf {0}, das vorige Board, angewendet: Sie bleiben erhalten und werden angeboten, wenn es wieder verbunden ist.</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
         <translation><numerusform>%n frühere Änderung ist noch ausstehend. Prüfen Sie sie, um sie auf dieses Board zu schreiben.</numerusform><numerusform>%n frühere Änderungen sind noch ausstehend. Prüfen Sie sie, um sie auf dieses Board zu schreiben.</numerusform></translation></message>
     <message><source>Nothing was written: another board was selected.</source>
         <translation>Es wurde nichts geschrieben: Ein anderes Board wurde ausgewählt.</translation></message>
-    <message numerus="yes"><source>%n edit(s) of the previous board saved: they return when it is selected again.</source>
+    <message numerus="yes"><source>%n edit(s) of the previous board saved. They return when that board is selected again.</source>
         <translation><numerusform>%n Änderung des bisherigen Boards bleibt erhalten: Sie ist wieder da, wenn es erneut ausgewählt wird.</numerusform><numerusform>%n Änderungen des bisherigen Boards bleiben erhalten: Sie sind wieder da, wenn es erneut ausgewählt wird.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Es wurde nichts geschrieben: Das Board antwortet nicht.</translation></message>
@@ -1433,7 +1433,7 @@
         <translation>Stopp</translation></message>
     <message><source>Nothing was written: the settings read from the board have changed.</source>
         <translation>Es wurde nichts geschrieben: Vom Board wurden andere Einstellungen gelesen.</translation></message>
-    <message><source>The network is silent; the server of the robot stops the motors.</source>
+    <message><source>The network is not responding; the robot's server stops the motors.</source>
         <translation>Das Netz ist still; der Server des Roboters stoppt die Motoren.</translation></message>
     <message><source>{0} and {1} more</source>
         <translation>{0} und {1} weitere</translation></message>
@@ -1449,17 +1449,17 @@
         <translation>Ob ein Stopp das an {1} angesteuerte Board ({0}) erreicht hat, ist nicht bekannt: Ein anderes Board hat geantwortet. Falls sich am angesteuerten Board noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}, an {1}.</translation></message>
-    <message><source>The connection to {0} was lost before a stop was confirmed. The board now at this port has confirmed a stop; if it is another board, cut the power of the first.</source>
+    <message><source>The connection to {0} was lost before a stop was confirmed. The board now at this port has confirmed a stop. If this is another board, cut the power of the first board.</source>
         <translation>Die Leitung zu {0} brach ab, bevor ein Stopp bestätigt war. Das Board an diesem Port hat einen bestätigt; falls es ein anderes Board ist, trennen Sie die Motorversorgung des ersten.</translation></message>
     <message><source>The connection is not responding.</source>
         <translation>Die Verbindung reagiert nicht.</translation></message>
-    <message><source>The guardian process sends it now.</source>
+    <message><source>The guardian process is sending the stop now.</source>
         <translation>Der Wächterprozess sendet ihn jetzt.</translation></message>
     <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
         <translation>Der Wächterprozess hat die Motoren gestoppt, und das Board hat das bestätigt.</translation></message>
-    <message><source>The board that disconnected while driving is back.</source>
+    <message><source>The board that was lost while it was driven is back.</source>
         <translation>Das Board, dessen Verbindung beim Fahren abbrach, ist wieder da.</translation></message>
-    <message><source>This may be another board: {0}, at {1}, has other settings than the board that was driven.</source>
+    <message><source>This may be another board: the settings of {0}, at {1}, differ from those of the board that was driven.</source>
         <translation>Das ist vielleicht ein anderes Board: {0}, an {1}, speichert nicht die Einstellungen des Boards, das angesteuert wurde.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, Gerät {1}</translation></message>
@@ -1473,7 +1473,7 @@
         <translation>Verbinden Sie zuerst ein Board.</translation></message>
     <message><source>Settings are being written.</source>
         <translation>Einstellungen werden geschrieben.</translation></message>
-    <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
+    <message><source>The motors were stopped and stay locked for another {0:.0f} s.</source>
         <translation>Nach einem Stopp sind die Motoren noch {0:.0f} s gesperrt.</translation></message>
     <message><source>Another control is driving now.</source>
         <translation>Jetzt steuert ein anderes Bedienelement.</translation></message>
@@ -1499,19 +1499,19 @@
         <translation>keine Strommessung im Parallelbetrieb</translation></message>
     <message><source>limit {0:.1f} A</source>
         <translation>Grenze {0:.1f} A</translation></message>
-    <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tested: they keep turning if the cable or this computer fails.</source>
+    <message><source>Serial timeout is on, but did not stop the motors of this board when it was tested: motors keep turning if the cable or this computer fails.</source>
         <translation>Das serielle Timeout ist an, hat die Motoren dieses Boards bei dem Versuch aber nicht gestoppt: Sie drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
     <message><source>channel {0} at {1} (overridden)</source>
         <translation>Kanal {0} auf {1} (durch Vorrang ohne Wirkung)</translation></message>
     <message><source>UART-Error Shutdown is off: motors may keep turning if the cable or this computer fails, although the serial timeout is on (twin).</source>
         <translation>„Abschaltung bei UART-Fehlern“ ist aus: Die Motoren drehen sich vielleicht weiter, wenn das Kabel oder dieser Computer ausfällt, obwohl das serielle Timeout an ist (Zwilling).</translation></message>
-    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tested: they keep turning if the cable or this computer fails.</source>
+    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tested: motors keep turning if the cable or this computer fails.</source>
         <translation>„Abschaltung bei UART-Fehlern“ ist aus, und das serielle Timeout hat die Motoren dieses Boards nicht gestoppt, als es ausprobiert wurde: Sie drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
-    <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
+    <message><source>The guardian process could not be started: if this program fails, motors keep turning until the serial timeout of {0:g} s expires.</source>
         <translation>Der Wächterprozess konnte nicht gestartet werden: Fällt dieses Programm aus, drehen sich die Motoren für die Dauer des seriellen Timeouts von {0:g} s weiter.</translation></message>
-    <message><source>Serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer one, or connect the board to this computer.</source>
+    <message><source>The serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer timeout, or connect the board to this computer.</source>
         <translation>Das serielle Timeout von {0:g} s ist kurz für einen Netzwerkport: Eine einzige späte Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres ein oder schließen Sie das Board an diesen Computer an.</translation></message>
-    <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
+    <message><source>The serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer timeout or a higher baud rate.</source>
         <translation>Das serielle Timeout von {0:g} s ist kurz für {1} Baud: Eine einzige verlorene Antwort stoppt die Motoren beim Fahren. Stellen Sie ein längeres oder eine höhere Baudrate ein.</translation></message>
     <message><source>left stick, sideways</source>
         <translation>linker Knüppel, seitwärts</translation></message>
@@ -1557,7 +1557,7 @@
         <translation>Ein anderes Gamepad wurde gewählt.</translation></message>
     <message><source>The gamepad settings were changed.</source>
         <translation>Die Einstellungen des Gamepads wurden geändert.</translation></message>
-    <message><source>No gamepad is connected. Plug one in or switch it on.</source>
+    <message><source>No gamepad is connected. Plug in or switch on a gamepad.</source>
         <translation>Es ist kein Gamepad verbunden. Stecken Sie eines ein oder schalten Sie es ein.</translation></message>
     <message><source>Release the sticks: driving starts only once both axes have been at rest. A worn stick may need a wider dead zone.</source>
         <translation>Lassen Sie die Knüppel los: Das Fahren beginnt erst, wenn beide Achsen in Ruhe waren. Ein abgenutzter Knüppel braucht vielleicht eine größere Totzone.</translation></message>
@@ -1585,7 +1585,7 @@
         <translation>In Ruhe ist er aktiv.</translation></message>
     <message><source>At rest the switch is off.</source>
         <translation>In Ruhe ist er aus.</translation></message>
-    <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
+    <message><source>Cannot continue: the stop of the motors is not confirmed. {0}</source>
         <translation>Es kann nicht weitergehen: Für die Motoren ließ sich kein Stopp bestätigen. {0}</translation></message>
     <message><source>The test has ended. Nothing in the board was changed.</source>
         <translation>Der Test ist beendet; er ändert nichts im Board.</translation></message>
@@ -1593,15 +1593,15 @@
         <translation>Es wurde nichts geändert.</translation></message>
     <message><source>&amp;Learn channels…</source>
         <translation>Kanäle &amp;einlernen…</translation></message>
-    <message><source>These values are stored already.</source>
+    <message><source>These values are already stored.</source>
         <translation>Diese Werte sind schon gespeichert.</translation></message>
-    <message><source>The board accepted the stop, but {0}. Check the motors: if one turns, something else drives it, such as another controller on this line; cut its power. Continue only if they are not turning.</source>
+    <message><source>The board accepted the stop, but {0}. Check the motors. If a motor is turning, cut its power: something else is driving it, such as another controller on this line. Continue only if no motor is turning.</source>
         <translation>Das Board hat den Stopp angenommen, aber {0}. Prüfen Sie die Motoren: Dreht sich einer, treibt ihn etwas anderes an, etwa ein anderer Controller an dieser Leitung; trennen Sie dann die Motorversorgung. Fahren Sie nur fort, wenn sie sich nicht drehen.</translation></message>
     <message><source>The learned values are stored.</source>
         <translation>Das Eingelernte ist gespeichert.</translation></message>
-    <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+    <message><source>The board is in {0} mode: the sticks drive the motors, and the board rejects settings. Switch the board off, remove the mode jumper and switch the board on.</source>
         <translation>Das Board ist im Modus {0}: Die Knüppel steuern die Motoren, und es lehnt Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
-    <message><source>The board is in {0} mode. Channel 5 has switched the motors to serial control. The next move of its switch returns them to the sticks. The board also rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+    <message><source>The board is in {0} mode. Channel 5 has switched the motors to serial control; when its switch moves again, the sticks drive the motors. In this mode the board rejects settings. Switch the board off, remove the mode jumper and switch the board on.</source>
         <translation>Das Board ist im Modus {0}. Kanal 5 hat die Motoren der seriellen Leitung übergeben, aber mit der nächsten Bewegung seines Schalters steuern die Knüppel wieder die Motoren; außerdem lehnt das Board Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
     <message><source>The board was started in another mode.</source>
         <translation>Das Board wurde in einem anderen Modus gestartet.</translation></message>
@@ -1615,7 +1615,7 @@
         <translation>Er hat sich während der Messung bewegt, zwischen {0} und {1}. Lassen Sie ihn los und messen Sie erneut.</translation></message>
     <message><source>Release the stick and sample again. If the drift continues, the stick or the transmitter is warming up or worn.</source>
         <translation>Lassen Sie ihn los und messen Sie erneut; bleibt es dabei, wird der Knüppel oder der Sender erst warm oder ist abgenutzt.</translation></message>
-    <message><source>Bring the transmitter nearer, or check antenna and cable.</source>
+    <message><source>Move the transmitter closer, or check the antenna and the cable.</source>
         <translation>Bringen Sie den Sender näher heran oder prüfen Sie Antenne und Kabel.</translation></message>
     <message><source>At rest the noise is {0}: a deadband wide enough to hide this noise would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
         <translation>In Ruhe beträgt sein Rauschen {0}: Ein Totbereich, der es verdeckt, nähme ein Viertel des Wegs ein. Reparieren Sie zuerst das Kabel, die Versorgung oder den Knüppel.</translation></message>
@@ -1623,15 +1623,15 @@
         <translation>Auch ein Eingang, an dem nichts angeschlossen ist, verhält sich so.</translation></message>
     <message><source>Either nothing is connected to this input (its voltage is then meaningless), or its stick was not moved.</source>
         <translation>Entweder ist nichts daran angeschlossen (dann bedeutet seine Spannung nichts), oder das Angeschlossene wurde nicht bewegt.</translation></message>
-    <message><source>At least {1} are needed: the deadband, and a count for each of the {2} speeds.</source>
+    <message><source>At least {1} is needed: the deadband plus one count for each of the {2} speeds.</source>
         <translation>Nötig sind mindestens {1}: der Totbereich und je ein Count für die {2} Geschwindigkeiten.</translation></message>
-    <message><source>Push the stick the other way, too. If it does not move that way, it was at an end during sampling.</source>
+    <message><source>Push the stick in the other direction, too. If this is not possible, the stick was at an end during sampling.</source>
         <translation>Drücken Sie ihn auch in die andere Richtung; geht das nicht, war er während der Messung in einer Endlage.</translation></message>
-    <message><source>The stick went one way only.</source>
+    <message><source>The stick moved in one direction only.</source>
         <translation>Er ging nur in eine Richtung.</translation></message>
-    <message><source>Go back, push the stick all the way and hold it there for {0:.1f} s.</source>
+    <message><source>Go back, push the stick all the way and hold this position for {0:.1f} s.</source>
         <translation>Gehen Sie zurück, drücken Sie ihn bis zum Anschlag und halten Sie ihn dort {0:.1f} s.</translation></message>
-    <message><source>The stick went {0} to one side, but only {1} to the other.</source>
+    <message><source>The stick moved {0} to one side, but only {1} to the other side.</source>
         <translation>Er ging {0} zur einen Seite, aber nur {1} zur anderen.</translation></message>
     <message><source>Was the stick pushed all the way?</source>
         <translation>Wurde er bis zum Anschlag gedrückt?</translation></message>
@@ -1655,19 +1655,19 @@
         <translation>Die Funkverbindung ist schlecht, oder das Kabel fängt Störungen ein.</translation></message>
     <message><source>About {0:.0%} of the pulses are lost (estimated: the value often repeats where it otherwise varies).</source>
         <translation>Etwa {0:.0%} der Impulse gehen verloren (geschätzt: Der Wert wiederholt sich oft, wo er sonst schwankt).</translation></message>
-    <message><source>The board repeats the last value, so losses below a third, or in a steadier signal, go unnoticed.</source>
+    <message><source>The board repeats the last value, so losses below a third, or losses in a steadier signal, cannot be detected.</source>
         <translation>Das Board wiederholt den letzten Wert; Verluste unter einem Drittel oder bei einem ruhigeren Signal bleiben daher unbemerkt.</translation></message>
     <message><source>At rest the noise is {0}, more than the deadband ({1}): the motor would creep.</source>
         <translation>In Ruhe beträgt das Rauschen {0}, mehr als der Totbereich ({1}): Der Motor würde kriechen.</translation></message>
     <message><source>A steady signal arrives, but it never moved.</source>
         <translation>Er hat sich nie bewegt, obwohl ein stetiges Signal ankommt.</translation></message>
-    <message><source>Either another stick controls this channel, or it was not moved.</source>
+    <message><source>Either another stick controls this channel, or the stick was not moved.</source>
         <translation>Entweder steuert ein anderer Knüppel diesen Kanal, oder der Knüppel wurde nicht bewegt.</translation></message>
-    <message><source>Nothing moves on this input: it stays at {0}.</source>
+    <message><source>This input does not change: it stays at {0}.</source>
         <translation>An diesem Eingang bewegt sich nichts: Er bleibt bei {0}.</translation></message>
-    <message><source>Nothing moves on this input: it stays at {0}, an end of the measuring range.</source>
+    <message><source>This input does not change: it stays at {0}, an end of the measuring range.</source>
         <translation>An diesem Eingang bewegt sich nichts: Er bleibt bei {0}, einem Ende des Messbereichs.</translation></message>
-    <message><source>The stick went only {0} from its rest position.</source>
+    <message><source>The stick moved only {0} from its rest position.</source>
         <translation>Er ging nur {0} aus seiner Ruhelage.</translation></message>
     <message><source>The low end is only {0} from the rest position.</source>
         <translation>Die untere Endlage ist nur {0} von der Ruhelage entfernt.</translation></message>
@@ -1691,9 +1691,9 @@
         <translation>War während der Messung eine Hand daran, oder wurde eine Trimmung verstellt?</translation></message>
     <message><source>Go back and sample the channel again, or use the new rest position.</source>
         <translation>Gehen Sie zurück und messen Sie ihn erneut, oder verwenden Sie die neue Ruhelage.</translation></message>
-    <message><source>{0} is beyond {1}, the farthest value reached: there is no full output.</source>
+    <message><source>{0} is beyond {1}, the farthest value reached: the output cannot reach its full value.</source>
         <translation>{0} liegt jenseits der erreichten {1}: Es gibt keinen vollen Ausgang.</translation></message>
-    <message><source>Beyond its rest position the motor speeds up again, in either direction: at {0} to {1} of {2}.</source>
+    <message><source>Beyond the rest position the motor speeds up again: at {0}, to {1} of {2} in either direction.</source>
         <translation>Jenseits der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
     <message><source>Check that no trim and no broken wire can move the signal there.</source>
         <translation>Prüfen Sie, dass weder eine Trimmung noch ein gebrochenes Kabel ihn dorthin bringen kann.</translation></message>
@@ -1731,7 +1731,7 @@
         <translation>an</translation></message>
     <message><source>The board is back. It has confirmed the stop.</source>
         <translation>Das Board ist wieder da. Es hat den Stopp bestätigt.</translation></message>
-    <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
+    <message><source>The board is back. It has confirmed the stop. It received nothing for {0:.0f} s: did its Serial Timeout stop the motor during that time?</source>
         <translation>Das Board ist wieder da. Es hat den Stopp bestätigt. {0:.0f} s lang hat es nichts empfangen: Hat sein serielles Timeout den Motor inzwischen gestoppt?</translation></message>
     <message><source>It stopped</source>
         <translation>Er hat gestoppt</translation></message>
@@ -1755,9 +1755,9 @@
         <translation>{0}: {1}</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
         <translation><numerusform>und %n weiteres Paket</numerusform><numerusform>und %n weitere Pakete</numerusform></translation></message>
-    <message><source>Every board on this line would store it: address device {0}.</source>
+    <message><source>Every board on this line would store the value: address device {0}.</source>
         <translation>Jedes Board an dieser Leitung würde es speichern: Adressieren Sie Gerät {0}.</translation></message>
-    <message><source>Every board on this line would store it: select one of them.</source>
+    <message><source>Every board on this line would store the value: select a board.</source>
         <translation>Jedes Board an dieser Leitung würde es speichern: Wählen Sie eines davon aus.</translation></message>
     <message><source>Sent {0}; the reply is {1}.</source>
         <translation>{0} gesendet; die Antwort ist {1}.</translation></message>
@@ -1791,13 +1791,13 @@
         <translation>{0} Motor 1 und 2</translation></message>
     <message><source>{0}: {1} is not a valid value.</source>
         <translation>{0}: {1} ist kein gültiger Wert.</translation></message>
-    <message><source>Switching frequency of the motor's PWM. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
+    <message><source>Switching frequency of the motor's PWM. Low frequencies make the motor whine and heat up; frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it supports.</source>
         <translation>Wie oft pro Sekunde die PWM des Motors schaltet. Niedrige Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem Nennwert des Treibers erwärmen den Treiber. Geben Sie eine Zahl ein oder benutzen Sie die Pfeiltasten. Das Board speichert die nächste Frequenz, mit der es schalten kann.</translation></message>
     <message><source>This firmware has also stored wire values outside this range: {0}.</source>
         <translation>Diese Firmware hat darüber hinaus gespeichert: Bytewert {0}.</translation></message>
     <message><source>(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers.</source>
         <translation>(Zwilling): dokumentiert für den qik 2s12v10 von Pololu, der dieselben Motortreiber hat.</translation></message>
-    <message><source>(inferred): no document confirms it.</source>
+    <message><source>(inferred): not confirmed by any document.</source>
         <translation>(erschlossen): Kein Dokument bestätigt es.</translation></message>
     <message><source>PWM Frequency</source>
         <translation>PWM-Frequenz</translation></message>
@@ -1865,7 +1865,7 @@
         <translation>{0}; sie wird als westeuropäischer Text angezeigt. Prüfen Sie die Zeichen, die keine einfachen Buchstaben sind; beim Speichern wird UTF-8 geschrieben</translation></message>
     <message><source>{0} is left out because it could not be read from the board.</source>
         <translation>{0} wird ausgelassen: Der Wert konnte nicht vom Board gelesen werden.</translation></message>
-    <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
+    <message><source>The {0} calibrations are left out: the board accepts them only while its input source is {0}.</source>
         <translation>Die Kalibrierungen ({0}) werden ausgelassen: Das Board nimmt sie nur an, solange seine Eingangsquelle {0} ist.</translation></message>
     <message><source>These settings are for a {0}, not a {1}</source>
         <translation>Diese Einstellungen sind für einen {0}, nicht für einen {1}</translation></message>
@@ -1901,11 +1901,11 @@
         <translation>gestern {0}</translation></message>
     <message><source>This snapshot is damaged and cannot be restored. {0}</source>
         <translation>Diese Sicherungskopie ist beschädigt und kann nicht wiederhergestellt werden. {0}</translation></message>
-    <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
+    <message><source>The board accepts changes only in serial mode: switch the board off, remove the mode jumper, and switch the board on. Your edits are kept.</source>
         <translation>Das Board nimmt Änderungen nur im seriellen Modus an: Schalten Sie es aus, ziehen Sie den Modus-Jumper ab, schalten Sie es ein. Änderungen bleiben erhalten.</translation></message>
     <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
         <translation>Es wurde nichts geschrieben, weil zuvor keine Sicherungskopie gespeichert werden konnte. {0}</translation></message>
-    <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
+    <message><source>Nothing was written: without a device number, the write would reach every board on this line. Select a board first.</source>
         <translation>Es wurde nichts geschrieben: Ohne Gerätenummer würde es mehrere Boards erreichen. Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
     <message><source>Nothing else was written. {0}</source>
         <translation>Mehr wurde nicht geschrieben. {0}</translation></message>
@@ -1913,9 +1913,9 @@
         <translation><numerusform>Anwenden von %n Einstellung</numerusform><numerusform>Anwenden von %n Einstellungen</numerusform></translation></message>
     <message><source>{0} set</source>
         <translation>{0} gesetzt</translation></message>
-    <message><source>Joint mode: both outputs drive one motor, so there is nothing to find.</source>
+    <message><source>Joint mode: both outputs drive one motor, so there is nothing to identify.</source>
         <translation>Parallelbetrieb: Beide Ausgänge treiben einen Motor, es gibt also nichts herauszufinden.</translation></message>
-    <message><source>Lift the robot so that its wheels turn freely, then confirm that here.</source>
+    <message><source>Lift the robot so that its wheels turn freely, then confirm this here.</source>
         <translation>Heben Sie den Roboter an, sodass sich die Räder frei drehen, und bestätigen Sie das hier.</translation></message>
     <message><source>The wheels may touch the ground.</source>
         <translation>Die Räder berühren vielleicht den Boden.</translation></message>
@@ -1931,7 +1931,7 @@
         <translation>Kanal {0}</translation></message>
     <message><source>{0} channel {1}</source>
         <translation>Kanal {1} ({0})</translation></message>
-    <message><source>it is a number of counts (3750) or has a unit (1500us, 2.5V), not {0}</source>
+    <message><source>expected a number of counts (3750) or a value with a unit (1500us, 2.5V), not {0}</source>
         <translation>es sind Counts (3750) oder etwas wie 1500us oder 2.5V, nicht {0}</translation></message>
     <message><source>minimum {0} is above neutral {1}</source>
         <translation>Minimum {0} liegt über der Neutralstellung {1}</translation></message>
@@ -1943,8 +1943,12 @@
         <translation>{0} ist {1}; ein Kalibrierwert ist 0 bis {2}</translation></message>
     <message><source>calibration: {0}</source>
         <translation>Kalibrierung: {0}</translation></message>
+    <message><source>a channel mask must be 0 to {0}, not {1}</source>
+        <translation>eine Kanalmaske ist 0 bis {0}, nicht {1}</translation></message>
     <message><source>parameter number</source>
         <translation>Parameternummer</translation></message>
+    <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
+        <translation>{0:#04x} ist kein Modus eines TReX (R, A, r oder a)</translation></message>
     <message><source>the request came back instead of a status</source>
         <translation>statt eines Status kam die Anfrage zurück</translation></message>
     <message><source>the motor number must be 1 or 2, not {0}</source>
@@ -1959,29 +1963,25 @@
         <translation>die Kanäle haben die Nummern 1 bis 5, nicht {0}</translation></message>
     <message><source>the control flag must be 0 or 1, not {0}</source>
         <translation>0 oder 1 gibt an, wer die Motoren steuert, nicht {0}</translation></message>
-    <message><source>a channel mask must be 0 to {0}, not {1}</source>
-        <translation>eine Kanalmaske ist 0 bis {0}, nicht {1}</translation></message>
     <message><source>{0:#04x} names channels that a TReX does not have</source>
         <translation>{0:#04x} nennt Kanäle, die ein TReX nicht hat</translation></message>
-    <message><source>a parameter number must be 0 to 127, not {0}</source>
+    <message><source>a parameter value must be 0 to 127, not {0}</source>
         <translation>ein Parameter ist 0 bis 127, nicht {0}</translation></message>
     <message><source>{0} is not a TReX result code (0 to 3)</source>
         <translation>{0} ist kein Ergebniscode eines TReX (0 bis 3)</translation></message>
     <message><source>parameter value</source>
         <translation>Parameterwert</translation></message>
-    <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
-        <translation>{0:#04x} ist kein Modus eines TReX (R, A, r oder a)</translation></message>
     <message><source>device number</source>
         <translation>Gerätenummer</translation></message>
     <message><source>Boards that are driven together need different device numbers.</source>
         <translation>Boards, die gemeinsam gefahren werden, brauchen eigene Nummern.</translation></message>
-    <message><source>The board needs a number that no other device has.</source>
+    <message><source>The board needs a device number that no other device on the line has.</source>
         <translation>Das Board braucht eine Nummer, die kein anderes Gerät hat.</translation></message>
-    <message><source>{0!r} are not settings of a board</source>
+    <message><source>{0!r} are not valid board settings</source>
         <translation>{0!r} sind keine Einstellungen eines Boards</translation></message>
     <message><source>Measured currents may be off by 20 % (twin).</source>
         <translation>Das Board misst Ströme vielleicht um 20 % falsch (Zwilling).</translation></message>
-    <message><source>The stop was sent, but the channels control the motors: it takes effect only when channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
+    <message><source>The stop was sent, but has no effect yet: the channels control the motors until channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
         <translation>Der Stopp wurde gesendet, aber die Kanäle steuern die Motoren: Er wirkt erst, wenn Kanal 5 die Steuerung an serielle Befehle übergibt. Lassen Sie die Knüppel los, oder trennen Sie die Motorversorgung.</translation></message>
     <message><source>minimum</source>
         <translation>Minimum</translation></message>
@@ -2041,14 +2041,18 @@
         <translation>Vorrangschalter (serielle Befehle)</translation></message>
     <message><source>Serial commands control the motors (serial mode).</source>
         <translation>Serielle Befehle steuern die Motoren (serieller Modus).</translation></message>
-    <message><source> Joint mode: both drivers work together as motor 1, motor 2 is ignored.</source>
-        <translation> Parallelbetrieb: Beide Treiber arbeiten zusammen als Motor 1, Motor 2 wird ignoriert.</translation></message>
+    <message><source> Joint mode: both drivers work together as motor 1, and commands for motor 2 are ignored.</source>
+        <translation> Parallelbetrieb: Beide Treiber arbeiten zusammen als Motor 1, Befehle für Motor 2 werden ignoriert.</translation></message>
     <message><source>accelerate</source>
         <translation>beschleunigen</translation></message>
     <message><source>set</source>
         <translation>setzen</translation></message>
     <message><source>no TReX</source>
         <translation>kein TReX</translation></message>
+    <message><source>set calibration of channel {0}: {1}</source>
+        <translation>Kalibrierung von Kanal {0} setzen: {1}</translation></message>
+    <message><source>{0} motor 1 to {1}, motor 2 to {2}</source>
+        <translation>{0}: Motor 1 {1}, Motor 2 {2}</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
         <translation>Serielle Befehle steuern die Motoren: Kanal 5 hat Vorrang vor den anderen Eingängen.</translation></message>
     <message><source>motor {0}: {1:.2f} A</source>
@@ -2075,43 +2079,39 @@
         <translation>Strom von Motor {0} lesen</translation></message>
     <message><source>get calibration of channel {0}</source>
         <translation>Kalibrierung von Kanal {0} lesen</translation></message>
-    <message><source>set calibration of channel {0}: {1}</source>
-        <translation>Kalibrierung von Kanal {0} setzen: {1}</translation></message>
     <message><source>get {0}</source>
         <translation>{0} lesen</translation></message>
     <message><source>set {0} to {1}</source>
         <translation>{0} auf {1} setzen</translation></message>
     <message><source>{0} motor {1} to {2}</source>
         <translation>{0}: Motor {1} {2}</translation></message>
-    <message><source>{0} motor 1 to {1}, motor 2 to {2}</source>
-        <translation>{0}: Motor 1 {1}, Motor 2 {2}</translation></message>
     <message><source>{0} auxiliary motor to {1}</source>
         <translation>{0}: Hilfsmotor {1}</translation></message>
-    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them; for serial mode, switch the board off, remove the mode jumper and switch it on.</source>
+    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them. For serial mode, switch the board off, remove the mode jumper and switch the board on again.</source>
         <translation>Die Kanäle ({0}) steuern die Motoren. Serielle Befehle wirken erst, wenn Kanal 5 ihnen die Steuerung übergibt; für den seriellen Modus schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
     <message><source>analog</source>
         <translation>analog</translation></message>
     <message><source>brake with {0}</source>
         <translation>bremsen mit {0}</translation></message>
-    <message><source>the model must be {0}, not {1!r}</source>
-        <translation>die Modelle sind {0}, nicht {1!r}</translation></message>
     <message><source>the PWM prescaler must be 0 to {0}, not {1}</source>
         <translation>der PWM-Vorteiler ist 0 bis {0}, nicht {1}</translation></message>
+    <message><source>the model must be {0}, not {1!r}</source>
+        <translation>die Modelle sind {0}, nicht {1!r}</translation></message>
     <message><source>brake duty</source>
         <translation>Bremsstärke</translation></message>
     <message><source>a motor's speed must be -127 to 127, not {0}</source>
         <translation>die Geschwindigkeit eines Motors ist -127 bis 127, nicht {0}</translation></message>
-    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch the board off and on.</source>
         <translation>An {0} antwortet kein TReX. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt), ob die Masse verbunden ist und ob die seriellen Einstellungen des Boards diesen entsprechen. Wenn beide LEDs gemeinsam blinken, ist das Board im Lernmodus: Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
     <message><source>Everything sent on {0} comes back, and nothing else arrives. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
         <translation>Alles, was an {0} gesendet wird, kommt zurück, sonst nichts. Entweder ist das die RS-232-Seite eines Boards, das ausgeschaltet oder auf eine andere Baudrate eingestellt ist, oder TX und RX des Adapters sind miteinander verbunden.</translation></message>
     <message><source>Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC differs from the board's setting, or another device is connected.</source>
         <translation>An {0} antwortet etwas, aber nicht wie ein TReX. {1} Meist weichen Baudrate, Parität oder CRC von der Einstellung des Boards ab, oder ein anderes Gerät ist angeschlossen.</translation></message>
-    <message><source>The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and SO–G jumpers are off, then switch the board off and on and connect again. Its serial settings may be those of the factory now: 19200 baud, no parity, no CRC.</source>
+    <message><source>The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and SO–G jumpers are off, then switch the board off and on and connect again. Its serial settings may now be the factory defaults: 19200 baud, no parity, no CRC.</source>
         <translation>Der TReX an {0} ist im Bootloader und wartet auf neue Firmware. Prüfen Sie, ob Mix- und SO–G-Jumper abgezogen sind, schalten Sie dann das Board aus und ein und verbinden Sie erneut. Es hat jetzt vielleicht die seriellen Werkseinstellungen: 19200 Baud, keine Parität, kein CRC.</translation></message>
     <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: select the port of the TReX, or connect the adapter to the TReX.</source>
         <translation>Das Gerät an {0} antwortet wie ein Pololu qik, nicht wie ein TReX. Dieses Programm unterstützt es nicht: Wählen Sie den Port des TReX, oder schließen Sie den Adapter am TReX an.</translation></message>
-    <message><source>Several boards reply at once on {0} at {1}. “Find” tries each device number. If boards share a number, switch off all but one of them and give that board its own number.</source>
+    <message><source>More than one board replies on {0} at {1}. “Find” tries every device number. If two boards have the same number, switch one of them off and give the other board a different number.</source>
         <translation>An {0} antworten mehrere Boards gleichzeitig mit {1}. „Suchen“ fragt jede Gerätenummer ab; von Boards mit derselben Nummer schalten Sie alle bis auf eines aus und geben diesem eine eigene.</translation></message>
     <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>An {0} antwortet ein {1} mit {2}, diese Verbindung verwendet aber {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
@@ -2119,7 +2119,7 @@
         <translation>An {0} antwortet ein {1} mit dem CRC-Polynom {2}, diese Verbindung verwendet aber {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
     <message><source>A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. Connect with the settings of the board.</source>
         <translation>An {0} antwortet ein {1}, seine Gerätenummer ist aber {2}, und diese Verbindung verwendet {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
-    <message><source>A {1} responds on {0}, but not every time: the line loses or corrupts bytes. Check cable and ground, keep motor leads away from them, then connect again.</source>
+    <message><source>A {1} responds on {0}, but not every time: the line loses or corrupts bytes. Check the cable and the ground connection, keep motor leads away from the cable, then connect again.</source>
         <translation>An {0} antwortet ein {1} nur zeitweise: Die Leitung verliert oder verfälscht Bytes. Prüfen Sie Kabel und Masse, halten Sie Motorleitungen davon fern und verbinden Sie erneut.</translation></message>
     <message><source>No reply to {0}.</source>
         <translation>Keine Antwort auf {0}.</translation></message>
@@ -2129,7 +2129,7 @@
         <translation>Die Antwort {0} ist verfälscht: {1}.</translation></message>
     <message><source>Late replies arrived and cannot be matched to requests.</source>
         <translation>Verspätete Antworten kamen an und lassen sich keiner Anfrage zuordnen.</translation></message>
-    <message><source>The board's replies to {0} differ each time: the line corrupts bytes, so what is stored is not known. Check cable and ground, keep motor leads away from them, or use a lower baud rate or CRC.</source>
+    <message><source>The board's replies to {0} differ each time: the line corrupts bytes, so the stored value is unknown. Check the cable and the ground connection, keep motor leads away from the cable, lower the baud rate, or use CRC.</source>
         <translation>Die Antworten des Boards auf {0} sind jedes Mal anders: Die Leitung verfälscht Bytes, daher ist nicht bekannt, was gespeichert ist. Prüfen Sie Kabel und Masse, halten Sie Motorleitungen davon fern, oder verwenden Sie eine niedrigere Baudrate oder CRC.</translation></message>
     <message><source>The stop was sent, but the board does not confirm it. If a motor is still turning, cut its power.</source>
         <translation>Der Stopp wurde gesendet, aber das Board bestätigt ihn nicht. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
@@ -2141,77 +2141,77 @@
         <translation>Die angesteuerten Motoren nehmen keinen Strom auf: Vielleicht wurde das Board neu gestartet.</translation></message>
     <message><source>The guardian process ended, and another one could not be started.</source>
         <translation>Der Wächterprozess wurde beendet, und ein neuer konnte nicht gestartet werden.</translation></message>
-    <message><source>These bytes may move a motor; nothing was sent. Arm the motors first.</source>
+    <message><source>Nothing was sent, because these bytes may move a motor. Arm the motors first.</source>
         <translation>Diese Bytes können einen Motor bewegen; es wurde nichts gesendet. Geben Sie zuerst die Motoren frei.</translation></message>
-    <message><source>These bytes may move a motor of another board, which a stop on this connection does not reach; nothing was sent. Address device {0} in them, or connect with the compact protocol.</source>
+    <message><source>Nothing was sent, because these bytes may move a motor of another board, which a stop on this connection does not reach. Use device number {0} in the packet, or connect with the compact protocol.</source>
         <translation>Diese Bytes können einen Motor eines anderen Boards bewegen, das ein Stopp über diese Verbindung nicht erreicht; es wurde nichts gesendet. Adressieren Sie darin das Gerät {0}, oder verbinden Sie mit dem kompakten Protokoll.</translation></message>
-    <message><source>A stop came first; nothing was sent.</source>
+    <message><source>Nothing was sent, because a stop was requested first.</source>
         <translation>Ein Stopp kam zuvor; es wurde nichts gesendet.</translation></message>
     <message><source>The program does not scan for other boards while motors are armed or may be moving. Stop the motors first.</source>
         <translation>Andere Boards werden nicht gesucht, solange Motoren freigegeben sind oder sich vielleicht bewegen. Stoppen Sie zuerst die Motoren.</translation></message>
-    <message><source>Board {0} was not selected, because the stop of the present board is not confirmed. If a motor is still turning, cut its power.</source>
+    <message><source>Board {0} was not selected, because the current board has not confirmed its stop. If a motor is still turning, cut its power.</source>
         <translation>Board {0} wurde nicht ausgewählt, da für das jetzige kein Stopp bestätigt ist. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>Board {0} was not selected, because it does not respond. Check that it has power. The previous board is still selected.</source>
         <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
-    <message><source>Another board on this line has the device number {0}. Select a number that is free.</source>
+    <message><source>Another board on this line has the device number {0}. Select an unused number.</source>
         <translation>Ein anderes Board an dieser Leitung hat die Gerätenummer {0}. Wählen Sie eine freie Nummer.</translation></message>
-    <message><source>Board {0} no longer follows: it fell silent, was stopped or restarted.</source>
+    <message><source>Board {0} is no longer driven with the group: it stopped responding, was stopped, or restarted.</source>
         <translation>Board {0} folgt nicht mehr: Es verstummte, wurde gestoppt oder startete neu.</translation></message>
-    <message><source>Board {0} does not belong to the boards driven together here.</source>
+    <message><source>Board {0} is not one of the boards that are driven together here.</source>
         <translation>Board {0} gehört nicht zu denen, die hier gemeinsam gefahren werden.</translation></message>
-    <message><source>While boards are driven together, no device number can be changed, no board can be selected, and no typed packet can store anything. Connect to this board alone.</source>
+    <message><source>While boards are driven together, you cannot change a device number, select a board, or send a packet that stores a setting. Connect to this board alone.</source>
         <translation>Boards, die gemeinsam gefahren werden, behalten ihre Nummern, keines kann ausgewählt werden, und kein eingegebenes Paket kann etwas speichern. Verbinden Sie sich mit diesem Board allein.</translation></message>
-    <message><source>Another user drives this board. Ask that user to hand over.</source>
+    <message><source>Another user drives this board. Ask that user to hand over control.</source>
         <translation>Ein anderer Benutzer fährt dieses Board. Bitten Sie darum, es zu übergeben.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>
         <translation>Sie dürfen diesem Board zusehen und es stoppen, aber es nicht fahren oder ändern.</translation></message>
     <message><source>Only an owner may take over from another user.</source>
         <translation>Nur ein Eigentümer darf einem anderen Benutzer das Fahren abnehmen.</translation></message>
-    <message><source>Driving was handed over, or the heartbeat did not reach the robot.</source>
+    <message><source>Control was handed over, or the heartbeat did not reach the robot.</source>
         <translation>Das Fahren wurde übergeben, oder das Lebenszeichen erreichte den Roboter nicht.</translation></message>
-    <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>
+    <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old</source>
         <translation>{0}: Das Board kennt diesen Parameter nicht (Code 1); vielleicht ist seine Firmware zu alt dafür</translation></message>
     <message><source>{0}: the board rejects this value (code 2)</source>
         <translation>{0}: Das Board lehnt diesen Wert ab (Code 2)</translation></message>
-    <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper, switch it on again</source>
+    <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper and switch it on again</source>
         <translation>{0}: Das Board ist nicht im seriellen Modus (Code 3); schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein</translation></message>
-    <message><source>{0} could not be verified: wrote {1}, but the board reads back {2}</source>
+    <message><source>{0} could not be verified: {1} was written, but {2} was read back</source>
         <translation>{0} konnte nicht bestätigt werden: {1} geschrieben, aber {2} zurückgelesen</translation></message>
-    <message><source>{0} could not be verified: the board reads back {1}</source>
+    <message><source>{0} could not be verified: {1} was read back</source>
         <translation>{0} konnte nicht bestätigt werden: Zurückgelesen wurde {1}</translation></message>
-    <message><source>{0} is for {1} inputs, but the board reads {2} now</source>
+    <message><source>{0} is for {1} inputs, but the board now reads {2} inputs</source>
         <translation>{0} gilt für die Eingangsquelle {1}, das Board liest jetzt aber {2}</translation></message>
-    <message><source>Another board responds now: {0}. Nothing was written to it.</source>
+    <message><source>A different board now responds: {0}. Nothing was written to it.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}. Es wurde nichts darauf geschrieben.</translation></message>
-    <message><source>Another board responds now: {0}. Settings may have been written to it; compare it with its last snapshot.</source>
+    <message><source>A different board now responds: {0}. Settings may have been written to it. Compare it with its last snapshot.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}. Vielleicht wurden Einstellungen darauf geschrieben; vergleichen Sie es mit seiner letzten Sicherungskopie.</translation></message>
-    <message><source>The board no longer stores the settings that were read from it: it is another board, or its settings were changed meanwhile. Nothing was written.</source>
+    <message><source>The board no longer stores the settings that were read from it: it is another board, or its settings were changed in the meantime. Nothing was written.</source>
         <translation>Das Board speichert nicht mehr die Einstellungen, die von ihm gelesen wurden: Es ist ein anderes, oder es wurde inzwischen geändert. Es wurde nichts geschrieben.</translation></message>
-    <message><source>The line corrupted bytes while {0} was written, and another setting may have been changed instead. Read the board again and compare it with the last snapshot. {1}</source>
+    <message><source>The line corrupted bytes while {0} was being written, and another setting may have been changed instead. Read the board again and compare it with the last snapshot. {1}</source>
         <translation>Die Leitung hat Bytes verfälscht, während {0} geschrieben wurde; vielleicht wurde stattdessen eine andere Einstellung geändert. Lesen Sie das Board erneut und vergleichen Sie es mit der letzten Sicherungskopie. {1}</translation></message>
-    <message><source>{0} settings differ from what was read before, so none was restored: another board may be connected.</source>
+    <message><source>{0} settings differ from the values that were read before, so none was restored: another board may be connected.</source>
         <translation>{0} Einstellungen weichen vom zuvor Gelesenen ab, daher wurde keine wiederhergestellt: Vielleicht ist ein anderes Board angeschlossen.</translation></message>
     <message><source>The write was cancelled before this setting was written.</source>
         <translation>Das Schreiben wurde abgebrochen, bevor dies versucht wurde.</translation></message>
-    <message><source>{0} {1} may have gone back to the factory default: after a power cycle the board would run at {2}</source>
+    <message><source>{0} {1} may have been reset to the factory default: after a power cycle, the board would run at {2}</source>
         <translation>{0} {1} wurde vielleicht auf die Werkseinstellung zurückgesetzt: Nach dem Aus- und Einschalten liefe das Board mit {2}</translation></message>
     <message><source>The board is not responding; scanning for it.</source>
         <translation>Das Board antwortet nicht; es wird gesucht.</translation></message>
     <message><source>Motor 2 over current limit</source>
         <translation>Motor 2 über der Stromgrenze</translation></message>
-    <message><source>The current of motor 2 passed its limit and the limiter lowered its speed.</source>
+    <message><source>The current of motor 2 exceeded its limit, so the limiter reduced the speed of the motor.</source>
         <translation>Der Strom von Motor 2 überschritt seine Grenze, und die Strombegrenzung senkte die Geschwindigkeit.</translation></message>
     <message><source>Motor 2 fault</source>
         <translation>Treiberfehler Motor 2</translation></message>
-    <message><source>The driver of motor 2 shut itself down: too hot, short circuit or low voltage.</source>
+    <message><source>The driver of motor 2 shut itself down because of overheating, a short circuit or low voltage.</source>
         <translation>Der Treiber von Motor 2 hat sich abgeschaltet: zu heiß, Kurzschluss oder Unterspannung.</translation></message>
     <message><source>Motor 1 over current limit</source>
         <translation>Motor 1 über der Stromgrenze</translation></message>
-    <message><source>The current of motor 1 passed its limit and the limiter lowered its speed.</source>
+    <message><source>The current of motor 1 exceeded its limit, so the limiter reduced the speed of the motor.</source>
         <translation>Der Strom von Motor 1 überschritt seine Grenze, und die Strombegrenzung senkte die Geschwindigkeit.</translation></message>
     <message><source>Motor 1 fault</source>
         <translation>Treiberfehler Motor 1</translation></message>
-    <message><source>The driver of motor 1 shut itself down: too hot, short circuit or low voltage.</source>
+    <message><source>The driver of motor 1 shut itself down because of overheating, a short circuit or low voltage.</source>
         <translation>Der Treiber von Motor 1 hat sich abgeschaltet: zu heiß, Kurzschluss oder Unterspannung.</translation></message>
     <message><source>UART error</source>
         <translation>UART-Fehler</translation></message>
@@ -2223,7 +2223,7 @@
         <translation>Innerhalb des seriellen Timeouts kam kein Byte an. Das Board sollte seine Motoren gestoppt haben.</translation></message>
     <message><source>Format error</source>
         <translation>Formatfehler</translation></message>
-    <message><source>A packet had an unknown command, a command byte inside it or an invalid data byte.</source>
+    <message><source>A packet contained an unknown command, an unexpected command byte or an invalid data byte.</source>
         <translation>Ein Paket enthielt einen unbekannten Befehl, ein Befehlsbyte im Inneren oder ein ungültiges Datenbyte.</translation></message>
     <message><source>CRC error</source>
         <translation>CRC-Fehler</translation></message>
@@ -2243,7 +2243,7 @@
         <translation>Ein Byte hatte die falsche Parität: Die Paritätseinstellungen sind verschieden, oder die Leitung ist gestört.</translation></message>
     <message><source>Read buffer overrun</source>
         <translation>Überlauf des Empfangspuffers</translation></message>
-    <message><source>More bytes arrived than the board can buffer; something sends while the board replies.</source>
+    <message><source>More bytes arrived than the board can buffer: something is sending while the board replies.</source>
         <translation>Es kamen mehr Bytes an, als das Board puffern kann; etwas sendet, während das Board antwortet.</translation></message>
     <message><source>Send buffer overrun</source>
         <translation>Überlauf des Sendepuffers</translation></message>
@@ -2251,12 +2251,14 @@
         <translation>Eine Antwort war länger als der Sendepuffer.</translation></message>
     <message><source>{0} must be 0 to 127, not {1}</source>
         <translation>{0} ist 0 bis 127, nicht {1}</translation></message>
+    <message><source>a CRC-7 polynomial must be 0x80 to 0xFF, not {0:#x}</source>
+        <translation>ein CRC-7-Polynom ist 0x80 bis 0xFF, nicht {0:#x}</translation></message>
     <message><source>a data byte outside a packet</source>
         <translation>ein Datenbyte außerhalb eines Pakets</translation></message>
     <message><source>1 byte</source>
         <translation>1 Byte</translation></message>
-    <message><source>a CRC-7 polynomial must be 0x80 to 0xFF, not {0:#x}</source>
-        <translation>ein CRC-7-Polynom ist 0x80 bis 0xFF, nicht {0:#x}</translation></message>
+    <message><source>the CRC is {0:02X}, but should be {1:02X}</source>
+        <translation>der CRC-Wert ist {0:02X}, nicht {1:02X}</translation></message>
     <message><source>the packet is not complete</source>
         <translation>das Paket ist nicht vollständig</translation></message>
     <message><source>a command byte inside a packet</source>
@@ -2269,16 +2271,14 @@
         <translation>{0} Bytes</translation></message>
     <message><source>{0} more than the reply has</source>
         <translation>{0} mehr, als die Antwort hat</translation></message>
-    <message><source>the CRC is {0:02X}, not {1:02X}</source>
-        <translation>der CRC-Wert ist {0:02X}, nicht {1:02X}</translation></message>
     <message><source>UART settings must be a wire value from 0 to 127, not {0}</source>
         <translation>der Bytewert der UART-Einstellungen ist 0 bis 127, nicht {0}</translation></message>
-    <message><source>UART settings {0:#04x} name no baud rate</source>
+    <message><source>the number of stop bits must be 1 or 2, not {0}</source>
+        <translation>1 oder 2 Stoppbits, nicht {0}</translation></message>
+    <message><source>UART settings {0:#04x} do not contain a valid baud rate</source>
         <translation>die UART-Einstellungen {0:#04x} nennen keine Baudrate</translation></message>
     <message><source>a TReX runs at {0} baud, not {1}</source>
         <translation>ein TReX läuft mit {0} Baud, nicht {1}</translation></message>
-    <message><source>the number of stop bits must be 1 or 2, not {0}</source>
-        <translation>1 oder 2 Stoppbits, nicht {0}</translation></message>
     <message><source>(twin)</source>
         <translation>(Zwilling)</translation></message>
     <message><source>(inferred)</source>
@@ -2289,10 +2289,12 @@
         <translation>Kanal {0}</translation></message>
     <message><source>channels {0}</source>
         <translation>Kanäle {0}</translation></message>
-    <message><source>none, or any of channels 1 to 5, such as 1, 3</source>
-        <translation>keiner oder einige der Kanäle 1 bis 5, zum Beispiel 1, 3</translation></message>
+    <message><source>{0} {1} has no parameter {2!r}{3}</source>
+        <translation>{0} {1} hat keinen Parameter {2!r}{3}</translation></message>
     <message><source>{0} must be {1}, not {2}</source>
         <translation>{0} ist {1}, nicht {2}</translation></message>
+    <message><source>none, or any of channels 1 to 5, such as 1, 3</source>
+        <translation>keiner oder einige der Kanäle 1 bis 5, zum Beispiel 1, 3</translation></message>
     <message><source>any of 1 to 5</source>
         <translation>beliebige aus 1 bis 5</translation></message>
     <message><source>baud, error detection, stop bits</source>
@@ -2301,8 +2303,6 @@
         <translation>eine Baudrate, Fehlererkennung und Stoppbits (untere vier Bits 0 bis 10)</translation></message>
     <message><source>{0} to {1} (wire value {2} to {3})</source>
         <translation>{0} bis {1} (Bytewert {2} bis {3})</translation></message>
-    <message><source>{0} {1} has no parameter {2!r}{3}</source>
-        <translation>{0} {1} hat keinen Parameter {2!r}{3}</translation></message>
     <message><source>the table has no parameter {0!r}</source>
         <translation>die Tabelle enthält keinen Parameter {0!r}</translation></message>
     <message><source> or </source>
@@ -2319,17 +2319,17 @@
         <translation>{0} (Bytewert {1} bis {2})</translation></message>
     <message><source>{0} s to full speed</source>
         <translation>{0} s bis zur vollen Geschwindigkeit</translation></message>
+    <message><source>{0} bytes are too many: at most {1} can be sent at once.</source>
+        <translation>{0} Bytes sind zu viele: Höchstens {1} werden auf einmal gesendet.</translation></message>
     <message><source>Enter bytes in hexadecimal, such as 86 1F.</source>
         <translation>Welche Bytes? Geben Sie sie hexadezimal an, zum Beispiel 86 1F.</translation></message>
     <message><source>device {0}: {1}</source>
         <translation>Gerät {0}: {1}</translation></message>
     <message><source>not a TReX packet: {0}</source>
         <translation>kein TReX-Paket: {0}</translation></message>
-    <message><source>{0} bytes are too many: at most {1} can be sent at once.</source>
-        <translation>{0} Bytes sind zu viele: Höchstens {1} werden auf einmal gesendet.</translation></message>
     <message><source>“{0}” is not a sequence of hexadecimal bytes such as 86 1F.</source>
         <translation>„{0}“ ist keine Folge hexadezimaler Bytes wie 86 1F.</translation></message>
-    <message><source>No board is served to this user at {0}:{1}. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and the secret (TREX_SECRET).</source>
+    <message><source>No board is served to this user at {0}:{1}. Check that `trexcmd serve` runs there. Also check the user in the address (trex://USER@…) and the secret (TREX_SECRET).</source>
         <translation>Bei {0}:{1} wird kein Board bereitgestellt, oder nicht für diesen Benutzer. Prüfen Sie, ob dort trexcmd serve läuft, den Benutzer in der Adresse (trex://USER@…) und sein Geheimnis (TREX_SECRET).</translation></message>
     <message><source>The server cannot listen at {0}: {1}</source>
         <translation>An {0} kann nicht gelauscht werden: {1}</translation></message>
@@ -2337,13 +2337,13 @@
         <translation>{0} stellt diesem Benutzer kein Board namens {1} bereit.</translation></message>
     <message><source>It did not respond.</source>
         <translation>Er hat nicht geantwortet.</translation></message>
-    <message><source>Network boards need more packages: install trex-gui[remote] with pip or pipx.</source>
+    <message><source>Boards on the network need additional packages: install trex-gui[remote] with pip or pipx.</source>
         <translation>Boards im Netz brauchen weitere Pakete: Installieren Sie trex-gui[remote] mit pip oder pipx.</translation></message>
     <message><source>unsolicited bytes</source>
         <translation>unaufgeforderte Bytes</translation></message>
     <message><source>unsolicited bytes; perhaps a late reply</source>
         <translation>unaufgeforderte Bytes; vielleicht eine verspätete Antwort</translation></message>
-    <message><source>only its echo came back</source>
+    <message><source>only the echo came back</source>
         <translation>nur das Echo kam zurück</translation></message>
     <message><source>corrupted: {0}</source>
         <translation>verfälscht: {0}</translation></message>
@@ -2365,7 +2365,7 @@
         <translation>{0} Kalibrierungen</translation></message>
     <message><source>a {0} with firmware {1}</source>
         <translation>ein {0} mit Firmware {1}</translation></message>
-    <message><source>{0} ({1}) is left out: {2} does not have it.</source>
+    <message><source>{0} ({1}) is left out: {2} does not have this setting.</source>
         <translation>{0} ({1}) wird ausgelassen: {2} hat das nicht.</translation></message>
     <message><source>Calibration of {0}</source>
         <translation>Kalibrierung von {0}</translation></message>
@@ -2379,17 +2379,17 @@
         <translation>Firmware {0} läuft bei eingestellten {2} Baud tatsächlich mit {1} Baud.</translation></message>
     <message><source>Rounded down to steps of {0}: {1} becomes {2}.</source>
         <translation>Auf Schritte von {0} abgerundet: {1} wird zu {2}.</translation></message>
-    <message><source>A {0} with firmware {1} does not have it.</source>
+    <message><source>A {0} with firmware {1} does not have this setting.</source>
         <translation>Ein {0} mit Firmware {1} hat das nicht.</translation></message>
-    <message><source>A {0} has at most {1}.</source>
+    <message><source>The maximum for a {0} is {1}.</source>
         <translation>Ein {0} hat höchstens {1}.</translation></message>
-    <message><source>A {0} has at least {1}; 0 switches it off (twin).</source>
+    <message><source>The minimum for a {0} is {1}; 0 means off (twin).</source>
         <translation>Ein {0} hat mindestens {1}; 0 schaltet es aus (Zwilling).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>Derselbe Wert in Schritten von {0}: {1} wird zu {2}.</translation></message>
     <message><source>these are settings of a {0}</source>
         <translation>dies sind Einstellungen eines {0}</translation></message>
-    <message><source>the layout of this file cannot be changed in place; save the settings as a new file</source>
+    <message><source>the layout of this file prevents changes in place; save the settings as a new file</source>
         <translation>diese Datei ist so geschrieben, dass sie sich nicht an Ort und Stelle ändern lässt; speichern Sie die Einstellungen als neue Datei</translation></message>
     <message><source>{0} {1}: the number of snapshots to keep is unknown, so none is removed.</source>
         <translation>{0} {1}: Wie viele Sicherungskopien behalten werden sollen, ist nicht bekannt, daher wird keine entfernt.</translation></message>
@@ -2401,7 +2401,7 @@
         <translation>sie kann nicht entfernt werden</translation></message>
     <message><source>is damaged</source>
         <translation>ist beschädigt</translation></message>
-    <message><source>A name cannot be a number like {0}, because snapshots have numbers.</source>
+    <message><source>A name cannot be a number like {0}, because numbers already identify snapshots.</source>
         <translation>{0} wäre die Nummer einer Sicherungskopie.</translation></message>
     <message><source>Another snapshot has the name {0}.</source>
         <translation>Eine andere Sicherungskopie heißt schon {0}.</translation></message>
@@ -2413,49 +2413,49 @@
         <translation>Höchstens {0} Zeichen sind möglich.</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>kann nicht gelesen werden ({0})</translation></message>
-    <message><source>All {0} device numbers are in {1}.</source>
+    <message><source>All {0} device numbers are already used in {1}.</source>
         <translation>Alle {0} Gerätenummern stehen in {1}.</translation></message>
-    <message><source>Another program has changed {0}. Nothing was saved. Start again to continue it.</source>
+    <message><source>Another program has changed {0}. Nothing was saved. Start again to continue this record.</source>
         <translation>Ein anderes Programm hat {0} geändert. Nichts wurde gespeichert. Beginnen Sie neu, um es fortzusetzen.</translation></message>
     <message><source>{0} is not a record of boards. Select another file.</source>
         <translation>{0} ist kein Protokoll von Boards. Wählen Sie eine andere Datei.</translation></message>
     <message><source>{0} is damaged: {1}.</source>
         <translation>{0} ist beschädigt: {1}.</translation></message>
-    <message><source>the last line has no end; was the file cut short?</source>
+    <message><source>the last line has no line break; was the file cut short?</source>
         <translation>die letzte Zeile hat kein Zeilenende; wurde die Datei abgeschnitten?</translation></message>
     <message><source>{count} more errors are not listed</source>
         <translation>{count} weitere Fehler sind nicht aufgeführt</translation></message>
-    <message><source>a name belongs before the colon, not a list or a group</source>
+    <message><source>there must be a name before the colon, not a list or a group</source>
         <translation>vor den Doppelpunkt gehört ein Name, keine Liste oder Gruppe</translation></message>
-    <message><source>was given in line {first} already</source>
+    <message><source>was already given in line {first}</source>
         <translation>wurde schon in Zeile {first} angegeben</translation></message>
-    <message><source>{name} was given in line {first} already</source>
+    <message><source>{name} was already given in line {first}</source>
         <translation>{name} wurde schon in Zeile {first} angegeben</translation></message>
-    <message><source>the first setting is {wanted}; this file has none</source>
+    <message><source>the first setting must be {wanted}, but this file has no product</source>
         <translation>die erste Einstellung ist {wanted}; in dieser Datei fehlt sie</translation></message>
     <message><source>must be the first setting of the file</source>
         <translation>muss die erste Einstellung der Datei sein</translation></message>
-    <message><source>{models}, not {given}; did you mean {model}?</source>
+    <message><source>must be {models}, not {given}; did you mean {model}?</source>
         <translation>{models}, nicht {given}; meinten Sie {model}?</translation></message>
-    <message><source>{models}, not {given}; these are not settings of a TReX</source>
+    <message><source>must be {models}, not {given}; these are not settings of a TReX</source>
         <translation>{models}, nicht {given}; das sind keine Einstellungen eines TReX</translation></message>
-    <message><source>a version such as {newest}, not {given}</source>
+    <message><source>must be a version such as {newest}, not {given}</source>
         <translation>eine Version wie {newest}, nicht {given}</translation></message>
-    <message><source>versions {oldest} to {newest} are known, {given} is not</source>
+    <message><source>versions {oldest} to {newest} are known, but {given} is not</source>
         <translation>bekannt sind die Versionen {oldest} bis {newest}, {given} nicht</translation></message>
     <message><source>is a command to the board, not a setting</source>
         <translation>ist ein Befehl an das Board, keine Einstellung</translation></message>
-    <message><source>{allowed}, not {given}{hint}</source>
+    <message><source>must be {allowed}, not {given}{hint}</source>
         <translation>{allowed}, nicht {given}{hint}</translation></message>
-    <message><source>{allowed}{grade}, not {given}; the board decides</source>
+    <message><source>should be {allowed}{grade}, not {given}; the board decides</source>
         <translation>{allowed}{grade}, nicht {given}; das Board entscheidet</translation></message>
-    <message><source>a {product} has it from firmware {since} on, these are for {firmware}</source>
+    <message><source>a {product} has this setting only from firmware {since} on, but the file is for {firmware}</source>
         <translation>ein {product} hat sie ab Firmware {since}, diese Einstellungen sind für {firmware}</translation></message>
-    <message><source>a {product} does not have it, whatever its firmware</source>
+    <message><source>a {product} does not have this setting in any firmware</source>
         <translation>ein {product} hat sie mit keiner Firmware</translation></message>
     <message><source>there is no such setting{guess}</source>
         <translation>diese Einstellung gibt es nicht{guess}</translation></message>
-    <message><source>is written {layout}, not {given}</source>
+    <message><source>must be written as {layout}, not {given}</source>
         <translation>wird {layout} geschrieben, nicht {given}</translation></message>
     <message><source>a calibration has no {field!r}{guess}</source>
         <translation>eine Kalibrierung hat kein {field!r}{guess}</translation></message>
@@ -2481,7 +2481,7 @@
         <translation>ein Textblock</translation></message>
     <message><source>; write {0}</source>
         <translation>; schreiben Sie {0}</translation></message>
-    <message><source>; {0} is written {1}</source>
+    <message><source>; write {1} for {0}</source>
         <translation>; {0} schreibt man {1}</translation></message>
     <message><source>{0}: {1} becomes {2}</source>
         <translation>{0}: {1} wird zu {2}</translation></message>
@@ -2489,13 +2489,13 @@
         <translation>{0} in Anführungszeichen</translation></message>
     <message><source>{name} is off while a computer drives the motors: if the cable or the computer fails, the motors keep running at their last setpoint.</source>
         <translation>{name} ist aus, während ein Computer die Motoren steuert: Wenn das Kabel oder der Computer ausfällt, laufen die Motoren mit ihrem letzten Sollwert weiter.</translation></message>
-    <message><source>Both required and ignored: {channels}. The signal moves nothing, but without it the motors may not run in RC mode (inferred).</source>
+    <message><source>Both required and ignored: {channels}. The signal controls nothing, but without the signal the motors may not run in RC mode (inferred).</source>
         <translation>Zugleich erforderlich und ignoriert: {channels}. Das Signal bewegt nichts, aber ohne es laufen die Motoren im RC-Modus vielleicht nicht (erschlossen).</translation></message>
     <message><source>The {end} of {channel}, {count}, is beyond {limit}, the last count that the board measures: full speed on that side is never reached.</source>
         <translation>Das {end} von {channel}, {count}, liegt jenseits von {limit}, dem letzten Count, den das Board misst: Die volle Geschwindigkeit auf dieser Seite wird nie erreicht.</translation></message>
-    <message><source>After the next power cycle, the line settings of the board will be {new} instead of {now}. Programs that use the board must then use them, too.</source>
+    <message><source>After the next power cycle, the line settings of the board will be {new} instead of {now}. Programs that use the board must then use the new line settings.</source>
         <translation>Nach dem nächsten Aus- und Einschalten sind die Leitungseinstellungen des Boards {new}; jetzt sind sie {now}. Ändern Sie dann die Programme, die das Board verwenden.</translation></message>
-    <message><source>The prescaler {0} gives {1}.</source>
+    <message><source>Prescaler {0} gives {1}.</source>
         <translation>Der Vorteiler {0} ergibt {1}.</translation></message>
     <message><source>The deadband of {channel} reaches from neutral to its {ends}: there is nothing between standstill and full speed on that side.</source>
         <translation>Der Totbereich von {channel} reicht von der Neutralstellung bis zur Endlage ({ends}): Zwischen Stillstand und voller Geschwindigkeit liegt auf dieser Seite nichts.</translation></message>
@@ -2511,13 +2511,13 @@
         <translation>{0} und {1}</translation></message>
     <message><source>{timeout} of {seconds} may not stop the motors if the cable or the computer fails: {shutdown} is off (twin).</source>
         <translation>{timeout} von {seconds} stoppt die Motoren vielleicht nicht, wenn das Kabel oder der Computer ausfällt: {shutdown} ist aus (Zwilling).</translation></message>
-    <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
+    <message><source>No effect in joint mode: {limits}. In this mode the board measures no current, so the motor is not protected.</source>
         <translation>Ohne Wirkung im Parallelbetrieb: {limits}. Das Board misst dann keinen Strom, der Motor ist also nicht geschützt.</translation></message>
-    <message><source>{limit} is {value}, but its proportionality constant P, which sets how strongly the limiter reacts, is 0. The limit may then have no effect (inferred).</source>
+    <message><source>{limit} is {value}, but its proportionality constant P, which sets how strongly the limiter reacts, is 0. Therefore, the limit may have no effect (inferred).</source>
         <translation>{limit} ist {value}, aber der zugehörige Proportionalfaktor P, also wie stark die Strombegrenzung reagiert, ist 0. Die Grenze hat dann vielleicht keine Wirkung (erschlossen).</translation></message>
     <message><source>{limit} is {value} and {ramp} is 0, so the speed changes at once. As soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks (inferred).</source>
         <translation>{limit} ist {value}, und {ramp} ist 0, also sofort. Sobald der Strom unter die Grenze fällt, springt der Motor auf seine volle Sollgeschwindigkeit zurück und läuft dadurch vielleicht ruckweise (erschlossen).</translation></message>
-    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
+    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}. Above this frequency, the driver gets hot.</source>
         <translation>Die PWM von Motor {motor} läuft mit {now} (erschlossen), der Motortreiber eines {product} ist aber nur für {highest} ausgelegt; darüber wird er heiß.</translation></message>
     <message><source>{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no packet is checked with it.</source>
         <translation>{name} ist {value} statt des Standardwerts {default}, aber CRC-7 ist nicht eingeschaltet: Kein Paket wird damit geprüft.</translation></message>
@@ -2535,7 +2535,7 @@
         <translation>Einstellungen sind einfache Zeilen „schlüssel: wert“</translation></message>
     <message><source>this is nested too deeply; {0}</source>
         <translation>dies ist zu tief verschachtelt; {0}</translation></message>
-    <message><source>there are no settings here; the first is 'product: TReX'</source>
+    <message><source>there are no settings here; the first must be 'product: TReX'</source>
         <translation>hier sind keine Einstellungen; die erste ist 'product: TReX'</translation></message>
     <message><source>these are not settings of a TReX, which begin with 'product: TReX'</source>
         <translation>das sind keine Einstellungen eines TReX; diese beginnen mit „product: TReX“</translation></message>
@@ -2543,11 +2543,11 @@
         <translation>diese Zeile ist mit einem Tabulator eingerückt; rücken Sie sie mit Leerzeichen ein</translation></message>
     <message><source>this is not a setting; {0}</source>
         <translation>dies ist keine Einstellung; {0}</translation></message>
-    <message><source>the character U+{0:04X} has no place in a text file</source>
+    <message><source>the character U+{0:04X} is not allowed in a text file</source>
         <translation>das Zeichen U+{0:04X} gehört nicht in eine Textdatei</translation></message>
     <message><source>the text is incomplete or damaged here ({0}); {1}</source>
         <translation>der Text ist hier unvollständig oder beschädigt ({0}); {1}</translation></message>
-    <message><source>type an ordinary space after the colon</source>
+    <message><source>there must be an ordinary space after the colon</source>
         <translation>geben Sie nach dem Doppelpunkt ein gewöhnliches Leerzeichen ein</translation></message>
     <message><source>a second document begins here; a settings file has only one</source>
         <translation>hier beginnt ein zweites Dokument; eine Einstellungsdatei hat nur eines</translation></message>
@@ -3279,7 +3279,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Sicherungskopie als Datei speichern</translation></message>
     <message><source>&amp;History…</source>
         <translation>&amp;Verlauf…</translation></message>
-    <message><source>A copy was saved in {0}.</source>
+    <message><source>A copy was saved to {0}.</source>
         <translation>Eine Kopie wurde in {0} gespeichert.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Es wurde nichts gespeichert. {0}</translation></message>
@@ -3887,8 +3887,6 @@ bisher {1}</translation></message>
         <translation>Das Board ist wieder da, und alle gespeicherten Einstellungen sind aktiv.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>Ich habe es aus- und &amp;eingeschaltet</translation></message>
-    <message><source>Switch the board off and on.</source>
-        <translation>Das Board muss aus- und eingeschaltet werden.</translation></message>
     <message><source>Switch off</source>
         <translation>Ausschalten</translation></message>
     <message><source>Read again</source>
@@ -4499,9 +4497,9 @@ bisher {1}</translation></message>
         <translation>Bedienfeld des &amp;Demo-TReX</translation></message>
     <message><source>&amp;User's guide of the board (online)…</source>
         <translation>Ben&amp;utzerhandbuch des Boards (online)…</translation></message>
-    <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
+    <message><source>Gamepads need one more package. Install the package with {0}, then switch Gamepad on again.</source>
         <translation>Gamepads brauchen ein weiteres Paket. Installieren Sie es mit {0}, dann schalten Sie dies wieder ein.</translation></message>
-    <message><source>Gamepads cannot be read here: {0}.</source>
+    <message><source>Gamepads cannot be read on this computer: {0}.</source>
         <translation>Gamepads können hier nicht gelesen werden: {0}.</translation></message>
     <message><source>The program was suspended (Ctrl-Z)</source>
         <translation>Das Programm wurde angehalten (Strg-Z)</translation></message>
@@ -4509,7 +4507,7 @@ bisher {1}</translation></message>
         <translation>Interner Fehler ({0})</translation></message>
     <message><source>The computer was asleep</source>
         <translation>Der Computer war im Ruhezustand</translation></message>
-    <message><source>Motors that can be stopped are stopped before the computer sleeps</source>
+    <message><source>Stopping the motors before the computer sleeps</source>
         <translation>Motoren, die gestoppt werden können, werden gestoppt, bevor der Computer in den Ruhezustand geht</translation></message>
     <message><source>The screen was locked</source>
         <translation>Der Bildschirm wurde gesperrt</translation></message>
@@ -4561,13 +4559,13 @@ bisher {1}</translation></message>
         <translation>Kein Board wurde gefunden.</translation></message>
     <message><source>Opening {0} …</source>
         <translation>{0} wird geöffnet …</translation></message>
-    <message><source>No reply on {0}. Other devices share the line: nothing else was tried.</source>
+    <message><source>No reply on {0}. No other settings were tried, because other devices share the line.</source>
         <translation>Keine Antwort an {0}. Andere Geräte teilen sich die Leitung: Sonst wurde nichts versucht.</translation></message>
     <message><source>{0} with device number {1}</source>
         <translation>{0} mit Gerätenummer {1}</translation></message>
     <message><source>the Demo {0}</source>
         <translation>Demo-{0}</translation></message>
-    <message><source>The simulator does not start. Reinstall the program.</source>
+    <message><source>The simulator could not be started. Reinstall the program.</source>
         <translation>Der Simulator startet nicht. Installieren Sie das Programm neu.</translation></message>
     <message><source>The simulator exited immediately. {0}</source>
         <translation>Der Simulator hat sich sofort beendet. {0}</translation></message>
@@ -4575,7 +4573,7 @@ bisher {1}</translation></message>
         <translation>&amp;Rückgängig: {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Wiederherstellen: {0}</translation></message>
-    <message><source>Show the help on the message in the line with the cursor</source>
+    <message><source>Show help for the message at the cursor</source>
         <translation>Die Hilfe zur Meldung in der Zeile mit dem Cursor zeigen</translation></message>
     <message><source>Search (Ctrl+F)</source>
         <translation>Suchen (Strg+F)</translation></message>
@@ -4601,7 +4599,7 @@ bisher {1}</translation></message>
         <translation>Date&amp;nverkehr</translation></message>
     <message><source>{0} of {1} shown</source>
         <translation>{0} von {1} angezeigt</translation></message>
-    <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
+    <message><source>Round trips in the last minute: up to {0:.0f} ms</source>
         <translation>Antwortzeiten der letzten Minute: bis {0:.0f} ms</translation></message>
     <message><source>Nothing has gone wrong since {0:%H:%M}.</source>
         <translation>Seit {0:%H:%M} ist kein Problem aufgetreten.</translation></message>
@@ -4619,7 +4617,7 @@ bisher {1}</translation></message>
         <translation>Anzeigen</translation></message>
     <message><source>C&amp;lear</source>
         <translation>&amp;Leeren</translation></message>
-    <message><source>pictures cannot be written without a file extension such as .png</source>
+    <message><source>the name of a picture needs a file extension such as .png</source>
         <translation>Bilder brauchen eine Dateiendung wie .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
         <translation>Bilder lassen sich nicht als {0} schreiben</translation></message>
@@ -4657,7 +4655,7 @@ bisher {1}</translation></message>
         <translation>{0} wurde nicht geöffnet: Dieser Dateityp wird nicht unterstützt. Unterstützt: {1}.</translation></message>
     <message><source>Recent &amp;files</source>
         <translation>Z&amp;uletzt verwendete Dateien</translation></message>
-    <message><source>{0} files were dropped, and none was opened: drop one file at a time.</source>
+    <message><source>None of the {0} dropped files was opened. Drop one file at a time.</source>
         <translation>{0} Dateien wurden abgelegt, und keine wurde geöffnet: Legen Sie jeweils nur eine ab.</translation></message>
     <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
         <translation>{0} ist {1}. Die Datei wurde nicht geöffnet, weil dieses Fenster mit {2} verbunden ist: Trennen Sie die Verbindung und öffnen Sie sie dann erneut.</translation></message>
@@ -4669,7 +4667,7 @@ bisher {1}</translation></message>
         <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Ein TReX oder Aracna bewegt dabei keinen Motor und ändert keine Einstellung. Andere Geräte an der Leitung vielleicht schon: Geben Sie deren Nummern zuerst in den Leitungseinstellungen ein. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Die wahrscheinlichen Einstellungen kommen zuerst; ein Port ohne Antwort dauert etwa eine halbe Minute.</translation></message>
-    <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
+    <message><source>&amp;Full search: also try every CRC polynomial and every device number (takes a few minutes)</source>
         <translation>&amp;Vollständige Suche: auch jedes CRC-Polynom und jede Gerätenummer (einige Minuten)</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>A&amp;bbrechen</translation></message>
@@ -4681,13 +4679,13 @@ bisher {1}</translation></message>
         <translation>{0} ist mit diesem Fenster verbunden und wird daher nicht durchsucht.</translation></message>
     <message><source>Found devices</source>
         <translation>Gefundene Geräte</translation></message>
-    <message><source>What the LEDs mean, the wires, and how to restore serial settings</source>
+    <message><source>What the LEDs mean, how to wire the board, and how to restore serial settings</source>
         <translation>Was die LEDs bedeuten, die Drähte und wie serielle Einstellungen wiederhergestellt werden</translation></message>
     <message><source>Copy command</source>
         <translation>Befehl kopieren</translation></message>
     <message><source>Search &amp;on:</source>
         <translation>Suchen &amp;an:</translation></message>
-    <message><source>This computer has no serial ports. Plug an adapter in.</source>
+    <message><source>This computer has no serial ports. Plug in an adapter.</source>
         <translation>Dieser Computer hat keine seriellen Ports. Stecken Sie einen Adapter ein.</translation></message>
     <message><source>Connect to {0}</source>
         <translation>Mit {0} verbinden</translation></message>
@@ -4733,15 +4731,15 @@ bisher {1}</translation></message>
         <translation>S&amp;chriftgröße:</translation></message>
     <message><source>&amp;Language:</source>
         <translation>S&amp;prache:</translation></message>
-    <message><source>Takes effect when the program starts again</source>
+    <message><source>Takes effect the next time the program starts</source>
         <translation>Gilt ab dem nächsten Start des Programms</translation></message>
     <message><source>&amp;Units:</source>
         <translation>&amp;Einheiten:</translation></message>
-    <message><source>What is shown first, and what a number typed without a unit means</source>
+    <message><source>Determines which unit is shown first, and which unit applies to a number typed without one</source>
         <translation>Was zuerst gezeigt wird, und was eine ohne Einheit eingegebene Zahl bedeutet</translation></message>
     <message><source>Connect to known boards automat&amp;ically</source>
         <translation>Automatisch mit bekannten &amp;Boards verbinden</translation></message>
-    <message><source>When the program starts, and when a known adapter is plugged in, if exactly one board responds. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
+    <message><source>The program connects when it starts or when a known adapter is plugged in, if exactly one board responds. It does not connect after Disconnect or while another program uses the port. No motor moves.</source>
         <translation>Beim Programmstart und beim Einstecken eines Adapters, an dem schon ein Board gefunden wurde, wenn genau ein Board antwortet. Nicht nach „Trennen“, und nicht, solange ein anderes Programm den Port verwendet. Kein Motor bewegt sich.</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
@@ -4777,7 +4775,7 @@ bisher {1}</translation></message>
         <translation>Ein simuliertes Board: Nichts kann beschädigt werden</translation></message>
     <message><source>What is plugged in</source>
         <translation>Angeschlossen</translation></message>
-    <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
+    <message><source>No serial port was found. Plug in the adapter, and it will be listed here at once.</source>
         <translation>Kein serieller Port wurde gefunden. Stecken Sie den Adapter ein: Er erscheint hier sofort.</translation></message>
     <message><source>No response?</source>
         <translation>Keine Antwort?</translation></message>
@@ -4787,9 +4785,9 @@ bisher {1}</translation></message>
         <translation>Fenster schließen</translation></message>
     <message><source>Pages of the help</source>
         <translation>Seiten der Hilfe</translation></message>
-    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor is still turning, cut its power.</source>
+    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, but the board did not confirm the stop. If a motor is still turning, cut its power.</source>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat einen Stopp gesendet ({0}), den das Board nicht bestätigt hat. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
+    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed the stop.</source>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat sie gestoppt ({0}), und das Board hat das bestätigt.</translation></message>
     <message><source>TReX Studio did not end properly last time. If it crashed, the support report shows where.</source>
         <translation>TReX Studio wurde beim letzten Mal nicht ordnungsgemäß beendet. Falls es abgestürzt ist, sagt ein Supportbericht, wo.</translation></message>
@@ -4821,7 +4819,7 @@ bisher {1}</translation></message>
         <translation>Wieder die ganze Aufzeichnung zeigen</translation></message>
     <message><source>Save every sample in the plot as CSV or MCAP</source>
         <translation>Alle Messwerte im Diagramm als CSV oder MCAP speichern</translation></message>
-    <message><source>Save a copy, since old recordings of faults and stops are removed</source>
+    <message><source>Save a copy, because old recordings of faults and stops are removed automatically</source>
         <translation>Diese Aufzeichnung behalten: Die ältesten von Störungen und Stopps werden entfernt</translation></message>
     <message><source>Stop loading or exporting</source>
         <translation>Laden oder Exportieren abbrechen</translation></message>
@@ -4847,7 +4845,7 @@ bisher {1}</translation></message>
         <translation>{0}, aufgezeichnet {1}</translation></message>
     <message><source>{0} – recording</source>
         <translation>{0} – Aufzeichnung</translation></message>
-    <message><source>The span was saved in {0}.</source>
+    <message><source>The span was saved to {0}.</source>
         <translation>Der Zeitbereich wurde in {0} gespeichert.</translation></message>
     <message><source>{0}, {1} long</source>
         <translation>{0}, Dauer {1}</translation></message>
@@ -4907,7 +4905,7 @@ bisher {1}</translation></message>
         <translation>Ein ausgewähltes Ereignis wird im Diagramm gezeigt.</translation></message>
     <message><source>Curves and their figures</source>
         <translation>Kurven und ihre Kennwerte</translation></message>
-    <message><source>No events yet. Stops, Apply, faults and limits will be listed here.</source>
+    <message><source>No events yet. Stops, applied settings, faults and exceeded limits will be listed here.</source>
         <translation>Noch keine Ereignisse. Stopps, „Anwenden“, Störungen und Grenzen werden hier aufgelistet.</translation></message>
     <message><source>Select the curves to draw</source>
         <translation>Wählen Sie die Kurven aus, die gezeichnet werden</translation></message>
@@ -4923,7 +4921,7 @@ bisher {1}</translation></message>
         <translation>Cursor</translation></message>
     <message><source>To mark</source>
         <translation>Zur Marke</translation></message>
-    <message><source>From the mark to the cursor; click the plot or press M to set the mark</source>
+    <message><source>Difference between the mark and the cursor; click the plot or press M to set the mark</source>
         <translation>Von der Marke bis zum Cursor; klicken Sie in das Diagramm oder drücken Sie M, um sie zu setzen</translation></message>
     <message><source>Held</source>
         <translation>Gehalten</translation></message>
@@ -4961,7 +4959,7 @@ bisher {1}</translation></message>
         <translation>Rosa</translation></message>
     <message><source>Grey</source>
         <translation>Grau</translation></message>
-    <message><source>As text</source>
+    <message><source>Text colour</source>
         <translation>Wie Text</translation></message>
     <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
         <translation>Ein fester Bereich hält Diagramme vergleichbar; Spitzen darüber werden abgeschnitten</translation></message>
@@ -4985,11 +4983,11 @@ bisher {1}</translation></message>
         <translation>automatisch</translation></message>
     <message><source>Ran&amp;ge</source>
         <translation>Be&amp;reich</translation></message>
-    <message><source>Keep the highest value of each curve from now on, as a line and a figure</source>
+    <message><source>From now on, show the highest value of each curve as a line and in the table</source>
         <translation>Den höchsten Wert jeder Kurve ab jetzt halten, als Linie und als Zahl</translation></message>
     <message><source>Back to li&amp;ve</source>
         <translation>Zurück zu Li&amp;ve</translation></message>
-    <message><source>Left and Right move the cursor, with Shift in large steps; its values are read out here. M sets a mark, plus and minus zoom, L goes back to live.</source>
+    <message><source>Left and Right move the cursor, with Shift in large steps. The values at the cursor are read out here. M sets a mark, Plus and Minus zoom, and L returns to the live view.</source>
         <translation>Links und Rechts bewegen den Cursor, mit Umschalt in großen Schritten; seine Werte werden hier vorgelesen. M setzt eine Marke, Plus und Minus zoomen, L geht zurück zu Live.</translation></message>
     <message><source>Plot of currents and speeds against time</source>
         <translation>Diagramm der Ströme und Geschwindigkeiten über der Zeit</translation></message>
@@ -5041,7 +5039,7 @@ bisher {1}</translation></message>
         <translation>verlorene Ereignisse: {0}</translation></message>
     <message><source>Send &amp;bytes</source>
         <translation>B&amp;ytes senden</translation></message>
-    <message><source>Send these bytes as they are (Enter)</source>
+    <message><source>Send these bytes unchanged (Enter)</source>
         <translation>Diese Bytes unverändert senden (Enter)</translation></message>
     <message><source>Bytes t&amp;o send:</source>
         <translation>&amp;Zu sendende Bytes:</translation></message>

@@ -17,12 +17,12 @@
         <translation><numerusform>%n step</numerusform><numerusform>%n steps</numerusform></translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
         <translation><numerusform>%n board on this line.</numerusform><numerusform>%n boards on this line.</numerusform></translation></message>
-    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: saved, and offered when it is connected again.</source>
-        <translation><numerusform>%n edit not applied to the previous {0}: saved, and offered when it is connected again.</numerusform><numerusform>%n edits not applied to the previous {0}: saved, and offered when it is connected again.</numerusform></translation></message>
+    <message numerus="yes"><source>%n unapplied edit(s) of the previous {0} saved. They are offered when that board is connected again.</source>
+        <translation><numerusform>%n unapplied edit of the previous {0} saved. It is offered when that board is connected again.</numerusform><numerusform>%n unapplied edits of the previous {0} saved. They are offered when that board is connected again.</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
         <translation><numerusform>%n earlier change still pending. Review it to write to this board.</numerusform><numerusform>%n earlier changes still pending. Review them to write to this board.</numerusform></translation></message>
-    <message numerus="yes"><source>%n edit(s) of the previous board saved: they return when it is selected again.</source>
-        <translation><numerusform>%n edit of the previous board saved: it returns when that board is selected again.</numerusform><numerusform>%n edits of the previous board saved: they return when that board is selected again.</numerusform></translation></message>
+    <message numerus="yes"><source>%n edit(s) of the previous board saved. They return when that board is selected again.</source>
+        <translation><numerusform>%n edit of the previous board saved. It returns when that board is selected again.</numerusform><numerusform>%n edits of the previous board saved. They return when that board is selected again.</numerusform></translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
         <translation><numerusform>and %n more packet</numerusform><numerusform>and %n more packets</numerusform></translation></message>
     <message numerus="yes"><source>Apply of %n setting(s)</source>

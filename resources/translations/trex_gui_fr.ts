@@ -17,15 +17,15 @@
         <translation>Impossible de joindre le port {0} : {1}.</translation></message>
     <message><source>There is no port {0}. Ports of this computer: {1}.</source>
         <translation>Le port {0} n'existe pas. Ports de cet ordinateur : {1}.</translation></message>
-    <message><source>{0} is in use by another program, or locked by its driver; for up to 5 seconds after a crash also by the guardian process that stops the motors.</source>
+    <message><source>{0} is in use by another program or locked by its driver. After a crash, the guardian process also uses it for up to 5 seconds to stop the motors. Close the other program or wait, then connect again.</source>
         <translation>{0} est utilisé par un autre programme ou verrouillé par son pilote ; jusqu'à 5 secondes après un plantage, il peut aussi l'être par le processus gardien qui arrête les moteurs.</translation></message>
-    <message><source>Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. Stop them, or cut their power.</source>
+    <message><source>Motors may still be turning: no stop has been confirmed for the {0} at {1}, driven since {2}. Stop the motors, or cut their power.</source>
         <translation>Des moteurs tournent peut-être encore : aucun arrêt de la carte {0} sur {1}, pilotée depuis {2}, n'est confirmé. Arrêtez-les, ou coupez leur alimentation.</translation></message>
-    <message><source>Motors may still be turning: {0} says that a board was left running, but it is damaged and does not say which. If a motor turns, cut its power; then delete the file.</source>
+    <message><source>Motors may still be turning: the file {0} shows that a board was left running, but the file is damaged and does not identify the board. If a motor is turning, cut its power. Then delete the file.</source>
         <translation>Des moteurs tournent peut-être encore : {0} indique qu'une carte est restée en marche, mais ce fichier est endommagé et ne dit pas laquelle. Si un moteur tourne, coupez son alimentation, puis supprimez le fichier.</translation></message>
-    <message><source>The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. Then connect again.</source>
+    <message><source>The guardian process is still stopping the motors on {0}. Wait up to 5 seconds, then connect again.</source>
         <translation>Le processus gardien est encore en train d'arrêter les moteurs sur {0}, ce qui prend jusqu'à 5 secondes. Reconnectez ensuite.</translation></message>
-    <message><source>{0} is in use by {1}. Close it there, then connect again.</source>
+    <message><source>{0} is in use by {1}. Close the port there, then connect again.</source>
         <translation>{0} est utilisé par {1}. Libérez-le d'abord, puis reconnectez.</translation></message>
     <message><source>The port {0} cannot be set to {1} ({2}).</source>
         <translation>Le port {0} ne peut pas être réglé sur {1} ({2}).</translation></message>
@@ -39,7 +39,7 @@
         <translation>ce n'est pas un fichier ordinaire</translation></message>
     <message><source>this is a binary file; settings are text</source>
         <translation>c'est un fichier binaire ; les réglages sont du texte</translation></message>
-    <message><source>this is UTF-16 text, as PowerShell writes it with &gt;; save it as UTF-8</source>
+    <message><source>this is UTF-16 text, as PowerShell writes with &gt;; save the file as UTF-8</source>
         <translation>c'est du texte UTF-16, comme PowerShell l'écrit avec &gt; ; enregistrez-le en UTF-8</translation></message>
     <message><source>it is a folder, not a file</source>
         <translation>c'est un dossier, pas un fichier</translation></message>
@@ -63,43 +63,43 @@
         <translation>le dossier {0} n'existe pas</translation></message>
     <message><source>permission denied</source>
         <translation>permission refusée</translation></message>
-    <message><source>It cannot be used: {0}.</source>
+    <message><source>The folder cannot be used: {0}.</source>
         <translation>Inutilisable : {0}.</translation></message>
     <message><source>Samples lost here because the disk was too slow: {0}.</source>
         <translation>Échantillons manquants ici, car le disque était trop lent : {0}.</translation></message>
     <message><source>This is not a TReX Studio recording.</source>
         <translation>Ce n'est pas un enregistrement de TReX Studio.</translation></message>
-    <message><source>It cannot be written: {0}.</source>
+    <message><source>The file cannot be written: {0}.</source>
         <translation>Le fichier ne peut pas être écrit : {0}.</translation></message>
-    <message><source>It cannot be opened: {0}.</source>
+    <message><source>The file cannot be opened: {0}.</source>
         <translation>Impossible de l'ouvrir : {0}.</translation></message>
-    <message><source>It cannot be read: {0}.</source>
+    <message><source>The file cannot be read: {0}.</source>
         <translation>Impossible à lire : {0}.</translation></message>
-    <message><source>It is damaged: {0}.</source>
+    <message><source>The file is damaged: {0}.</source>
         <translation>Il est endommagé : {0}.</translation></message>
     <message><source>its time is not a number</source>
         <translation>son temps n'est pas un nombre</translation></message>
     <message><source>The end of the file is missing.</source>
         <translation>La fin du fichier manque.</translation></message>
-    <message><source>Its log cannot be read: the last samples are missing.</source>
+    <message><source>The log of the recording cannot be read, so the last samples are missing.</source>
         <translation>Son journal est illisible : les derniers échantillons manquent.</translation></message>
-    <message><source>The recording was not closed properly; samples of the last seconds may be missing.</source>
+    <message><source>The recording was not closed properly. Samples from the last seconds may be missing.</source>
         <translation>Il n'a pas été terminé ; des échantillons des dernières secondes peuvent manquer.</translation></message>
     <message><source>the clock in the header is not in seconds</source>
         <translation>l'horloge de l'en-tête n'est pas en secondes</translation></message>
     <message><source>The column {0} is not the key of its table.</source>
         <translation>La colonne {0} n'est pas la clé de sa table.</translation></message>
-    <message><source>its time is not in the recording</source>
+    <message><source>its time is outside the recording</source>
         <translation>son temps n'est pas dans l'enregistrement</translation></message>
     <message><source>Record {0} cannot be read: {1}.</source>
         <translation>L'élément {0} est illisible : {1}.</translation></message>
-    <message><source>{0} is not {1}</source>
+    <message><source>{0} is not of type {1}</source>
         <translation>{0} n'est pas du type {1}</translation></message>
-    <message><source>A CSV file is an export and cannot be opened as a recording. Open the recording ({0}) that it was exported from.</source>
+    <message><source>A CSV file is an export and cannot be opened as a recording. Open the original recording ({0}).</source>
         <translation>Un fichier CSV est un export et ne s'ouvre pas comme enregistrement. Ouvrez l'enregistrement ({0}) dont il provient.</translation></message>
-    <message><source>It is still being recorded. End the recording, then open it again.</source>
+    <message><source>The recording is still running. End the recording, then open the file again.</source>
         <translation>L'enregistrement est encore en cours. Terminez-le, puis ouvrez-le de nouveau.</translation></message>
-    <message><source>Its format, {0}, is unknown. A later version of TReX Studio may be able to open it.</source>
+    <message><source>The format of the file ({0}) is unknown. A later version of TReX Studio may be able to open the file.</source>
         <translation>Son format, {0}, est inconnu. Une version plus récente de TReX Studio peut peut-être l'ouvrir.</translation></message>
     <message><source>This is a recording of another device: {0}. Select the port or the demo of that device in the list of ports, then open the file again.</source>
         <translation>C'est l'enregistrement d'un autre appareil : {0}. Il s'ouvre lorsque la fenêtre montre les pages de cet appareil : choisissez son port ou sa démo dans la liste des ports, puis ouvrez de nouveau le fichier.</translation></message>
@@ -107,9 +107,9 @@
         <translation>La table {0} manque.</translation></message>
     <message><source>The column {0} is missing.</source>
         <translation>La colonne {0} manque.</translation></message>
-    <message><source>Samples of {0} between records {1} and {2} are lost: {3}.</source>
+    <message><source>Samples of the kind {0} between records {1} and {2} are lost: {3}.</source>
         <translation>Des échantillons de {0} parmi les éléments {1} à {2} sont perdus : {3}.</translation></message>
-    <message><source>The column {0} is computed.</source>
+    <message><source>The column {0} is computed, but it must be stored.</source>
         <translation>La colonne {0} est calculée.</translation></message>
     <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board now connected there has confirmed a stop. If a motor is still turning, cut its power.</source>
         <translation>Les moteurs de la carte {0} sur {1}, pilotée depuis {2}, étaient restés en marche. La carte qui s'y trouve maintenant a confirmé un arrêt. Si un moteur tourne encore, coupez son alimentation.</translation></message>
@@ -119,11 +119,11 @@
         <translation>une autre liaison de ce programme</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (processus {1})</translation></message>
-    <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
+    <message><source>Join the group of the port with this command, then log out and log in again: {0} (or grant access until the port is unplugged: {1}).</source>
         <translation>Rejoignez son groupe, puis fermez et rouvrez votre session : {0} (ou, jusqu'à ce qu'il soit débranché : {1}).</translation></message>
     <message><source>the server rejects the line settings</source>
         <translation>le serveur refuse les réglages de liaison</translation></message>
-    <message><source>It belongs to root; this command grants access until the port is unplugged: {0}</source>
+    <message><source>The port belongs to root. This command grants access until the port is unplugged: {0}</source>
         <translation>Il appartient à root ; cette commande l'ouvre jusqu'à ce qu'il soit débranché : {0}</translation></message>
     <message><source>none</source>
         <translation>aucun</translation></message>
@@ -155,21 +155,21 @@
         <translation>{0} bauds</translation></message>
     <message><source>Opened {0}.</source>
         <translation>Ouvert : {0}.</translation></message>
-    <message><source>this is not a traffic log, as written by the Traffic page and by trexcmd --traffic</source>
+    <message><source>this is not a traffic log from the Traffic page or from trexcmd --traffic</source>
         <translation>ce n'est pas un journal de trafic : la page Trafic et trexcmd --traffic en créent</translation></message>
     <message><source>this is not a row of a traffic log</source>
         <translation>ce n'est pas une ligne d'un journal de trafic</translation></message>
     <message><source>{0} cannot be written: {1}.</source>
         <translation>{0} ne peut pas être écrit : {1}.</translation></message>
-    <message><source>Other users of this computer can read the secrets: chmod 600 “{0}”.</source>
+    <message><source>Other users of this computer can read your secrets. Prevent this with the command: chmod 600 “{0}”</source>
         <translation>D’autres utilisateurs de cet ordinateur peuvent lire les secrets : chmod 600 « {0} ».</translation></message>
-    <message><source>{0} is not trex://host/name, such as trex://robot.local/arm.</source>
+    <message><source>{0} does not have the form trex://host/name, such as trex://robot.local/arm.</source>
         <translation>{0} n'est pas trex://hôte/nom, par exemple trex://robot.local/arm.</translation></message>
     <message><source>{0}: {1!r} is not a kind of port; try socket:// or rfc2217://.</source>
         <translation>{0} : ce type de port n'existe pas ({1!r}) ; essayez socket:// ou rfc2217://.</translation></message>
-    <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
+    <message><source>{0} does not have the form {1}://host:port, such as {1}://192.168.1.20:2217.</source>
         <translation>{0} n'est pas de la forme {1}://hôte:port, par exemple {1}://192.168.1.20:2217.</translation></message>
-    <message><source>{0} is not a host, such as robot.local.</source>
+    <message><source>{0} is not the name of a host, such as robot.local.</source>
         <translation>{0} n'est pas un hôte, par exemple robot.local.</translation></message>
     <message><source>Opening this port reset the board: it responds again after about a second.</source>
         <translation>L'ouverture de ce port a réinitialisé la carte : elle répond environ une seconde plus tard.</translation></message>
@@ -937,24 +937,24 @@
         <translation>Adaptateur</translation></message>
     <message><source>bench tests</source>
         <translation>essais au banc</translation></message>
+    <message><source>line {0}: expected the columns {1}</source>
+        <translation>ligne {0} : colonnes attendues : {1}</translation></message>
     <message><source>it is not a text file</source>
         <translation>ce n'est pas un fichier texte</translation></message>
+    <message><source>line {0}: invalid row “{1}”</source>
+        <translation>ligne {0} : ligne non valide « {1} »</translation></message>
     <message><source>line 1: a bench test begins with {0!r}</source>
         <translation>ligne 1 : un essai au banc commence par {0!r}</translation></message>
     <message><source>motor: expected 1 or 2, not {0}</source>
         <translation>moteur : 1 ou 2 attendu, pas {0}</translation></message>
     <message><source>the line “# {0}: …” is missing</source>
         <translation>la ligne « # {0}: … » manque</translation></message>
-    <message><source>line {0}: expected the columns {1}</source>
-        <translation>ligne {0} : colonnes attendues : {1}</translation></message>
     <message><source>line {0}: expected a name and a value</source>
         <translation>ligne {0} : un nom et une valeur sont attendus</translation></message>
     <message><source>{0}: invalid value “{1}”</source>
         <translation>{0} : valeur non valide « {1} »</translation></message>
     <message><source>line {0} or below: {1}</source>
         <translation>ligne {0} ou plus bas : {1}</translation></message>
-    <message><source>line {0}: invalid row “{1}”</source>
-        <translation>ligne {0} : ligne non valide « {1} »</translation></message>
     <message><source>step {0}, {1} s</source>
         <translation>échelon {0}, {1} s</translation></message>
     <message><source>ramp {0}, {1} s</source>
@@ -969,25 +969,25 @@
         <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
     <message><source>the period of a bench test must be {0:g} to {1:g} s, not {2:g} s</source>
         <translation>la période d'un essai au banc va de {0:g} à {1:g} s, pas {2:g} s</translation></message>
-    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
+    <message><source>{0} This report is doubtful, because the line is noisy and has no CRC.</source>
         <translation>{0} Douteux : la liaison est bruitée et n'a pas de CRC.</translation></message>
     <message><source>The board does not respond; the stop is being repeated.</source>
         <translation>La carte ne répond pas ; l'ordre d'arrêt est répété.</translation></message>
-    <message><source>Check cable and ground, and that no other program sends on this line.</source>
+    <message><source>Check the cable and the ground connection, and make sure that no other program sends on this line.</source>
         <translation>Vérifiez le câble et la masse, et qu'aucun autre programme n'émet sur cette liaison.</translation></message>
-    <message><source>Check cable and ground, and that every program on this line uses the same polynomial.</source>
+    <message><source>Check the cable and the ground connection, and make sure that every program on this line uses the same polynomial.</source>
         <translation>Vérifiez le câble et la masse, et que tous les programmes sur cette liaison utilisent le même polynôme.</translation></message>
-    <message><source>Check cable, ground and baud rate, and keep motor leads away from the line.</source>
+    <message><source>Check the cable, the ground connection and the baud rate, and keep motor leads away from the cable.</source>
         <translation>Vérifiez le câble, la masse et le débit, et éloignez les fils des moteurs de la liaison.</translation></message>
     <message><source>Use a lower baud rate.</source>
         <translation>Utilisez un débit plus bas.</translation></message>
-    <message><source>Check cable and ground, and that every program on this line uses the same parity.</source>
+    <message><source>Check the cable and the ground connection, and make sure that every program on this line uses the same parity.</source>
         <translation>Vérifiez le câble et la masse, et que tous les programmes sur cette liaison utilisent la même parité.</translation></message>
-    <message><source>Let no other program send on this line.</source>
+    <message><source>Make sure that no other program sends on this line.</source>
         <translation>Ne laissez aucun autre programme émettre sur cette liaison.</translation></message>
-    <message><source>Let other programs request fewer channels at once.</source>
+    <message><source>Make other programs request fewer channels at once.</source>
         <translation>Faites en sorte que les autres programmes demandent moins de voies à la fois.</translation></message>
-    <message><source>Latched before connecting, perhaps by a search for the board: {0}</source>
+    <message><source>Latched before the connection, perhaps by a scan for the board: {0}</source>
         <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
         <translation>Connecté à {0} sur {1}.</translation></message>
@@ -1017,57 +1017,57 @@
         <translation>ce programme</translation></message>
     <message><source>Motors may still be turning: disconnected before a stop was confirmed</source>
         <translation>Déconnecté avant la confirmation d'un arrêt : les moteurs peuvent encore tourner</translation></message>
-    <message><source>The network to the robot is silent.</source>
+    <message><source>The server of the robot does not respond.</source>
         <translation>Le réseau vers le robot est muet.</translation></message>
     <message><source>Driver: {0}</source>
         <translation>Pilote : {0}</translation></message>
-    <message><source>The line is noisy: {0:.1f} % lost</source>
+    <message><source>The line is noisy: {0:.1f} % of the replies were lost or corrupted</source>
         <translation>La liaison est bruitée : {0:.1f} % de pertes</translation></message>
     <message><source>The line is good again</source>
         <translation>La liaison est de nouveau bonne</translation></message>
     <message><source>The board reports: {0}.</source>
         <translation>La carte signale : {0}.</translation></message>
-    <message><source>noisy: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+    <message><source>noisy: {0:.1f} % of the requests in the last {1:.0f} s were answered</source>
         <translation>bruitée : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
     <message><source>being measured …</source>
         <translation>mesure en cours …</translation></message>
-    <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
+    <message><source>good: {0:.1f} % of the requests in the last {1:.0f} s were answered</source>
         <translation>bonne : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
-    <message><source>The ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
+    <message><source>The proposed ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that the stick reliably reaches full output. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
         <translation>Les extrémités sont placées à l'intérieur de celles mesurées, de 1 % de la course et de trois fois le bruit, afin que la sortie maximale soit atteinte à coup sûr. La zone morte couvre le bruit au repos, mais vaut au moins {0}, car un manche ne revient pas chaque fois exactement au même endroit.</translation></message>
+    <message><source>At rest, the noise is {0}, so the deadband is twice this value.</source>
+        <translation>Au repos, son bruit est de {0} : la zone morte vaut le double.</translation></message>
     <message><source>{0}, so the channel should be reversed.</source>
         <translation>{0} ; réglage conseillé : inversée.</translation></message>
     <message><source>{0}, so the channel should not be reversed.</source>
         <translation>{0} ; réglage conseillé : non inversée.</translation></message>
-    <message><source>The measured ends are up to {0} farther out.</source>
+    <message><source>The measured ends are up to {0} beyond the proposed ends.</source>
         <translation>Les extrémités mesurées sont jusqu'à {0} plus loin.</translation></message>
     <message><source>The signal never goes above its rest position, so maximum is set to the limit of the input.</source>
         <translation>Elle ne va jamais au-dessus de sa position de repos ; le maximum est donc réglé à la limite de l'entrée.</translation></message>
     <message><source>The signal never goes below its rest position, so minimum is set to the limit of the input.</source>
         <translation>Elle ne va jamais en dessous de sa position de repos ; le minimum est donc réglé à la limite de l'entrée.</translation></message>
-    <message><source>The value fell when the stick went forward or right first</source>
+    <message><source>The value fell when the stick first went forward or right</source>
         <translation>La valeur a diminué quand le manche est d'abord allé vers l'avant ou vers la droite</translation></message>
-    <message><source>The value rose when the stick went forward or right first</source>
+    <message><source>The value rose when the stick first went forward or right</source>
         <translation>La valeur a augmenté quand le manche est d'abord allé vers l'avant ou vers la droite</translation></message>
-    <message><source>The other position reads higher than the rest position, which should be off</source>
+    <message><source>The value is higher in the other position than at rest, where the switch should be off</source>
         <translation>L'autre position est au-dessus de celle de repos, qui devrait être inactive</translation></message>
-    <message><source>The other position reads lower than the rest position, which should be off</source>
+    <message><source>The value is lower in the other position than at rest, where the switch should be off</source>
         <translation>L'autre position est en dessous de celle de repos, qui devrait être inactive</translation></message>
-    <message><source>At rest the noise is {0}: the deadband is twice this value.</source>
-        <translation>Au repos, son bruit est de {0} : la zone morte vaut le double.</translation></message>
     <message><source>there is nothing to compare: only probes were sent</source>
         <translation>il n'y a rien à comparer : rien n'a été envoyé, sauf pour rechercher</translation></message>
-    <message><source>TReX 1.2, as no signature was read</source>
+    <message><source>TReX 1.2, because no signature was read</source>
         <translation>TReX 1.2, car aucune signature n'a été lue</translation></message>
     <message><source>1 stored value</source>
         <translation>1 valeur enregistrée</translation></message>
-    <message><source>{0}, {1} from the file, others at their defaults</source>
+    <message><source>{0}, {1} from the file, all other values at their defaults</source>
         <translation>{0}, {1} du fichier, le reste comme en sortie d'usine</translation></message>
     <message><source>traffic logs</source>
         <translation>journaux de trafic</translation></message>
     <message><source>{0} stored values</source>
         <translation>{0} valeurs enregistrées</translation></message>
-    <message><source>{0}; the simulated board has its default.</source>
+    <message><source>{0}; the simulated board uses the default value instead.</source>
         <translation>{0} ; la carte simulée a sa valeur par défaut.</translation></message>
     <message><source>learned channels</source>
         <translation>voies apprises</translation></message>
@@ -1085,15 +1085,15 @@
         <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
     <message><source>After a power cycle, it will run at {0}.</source>
         <translation>Une fois l'alimentation coupée et remise, elle fonctionnera à {0}.</translation></message>
-    <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
+    <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. Either it is another device, or the line is noisy.</source>
         <translation>Quelque chose est connecté à {0}, mais ne répond pas comme un TReX : il a envoyé {1} à {2}{3}. C'est un autre appareil, ou la liaison est bruitée.</translation></message>
-    <message><source>It is set to {0} baud, but firmware {1} then runs at half that rate: connect at {2}.</source>
+    <message><source>It is set to {0} baud, but with this setting, firmware {1} runs at half the rate: connect at {2} baud.</source>
         <translation>Elle est réglée sur {0} bauds, que le firmware {1} fait fonctionner à la moitié : connectez à {2}.</translation></message>
     <message><source>It is set to {0} stop bits; either number works on this line.</source>
         <translation>Elle est réglée sur {0} bits d'arrêt ; les deux nombres fonctionnent sur cette liaison.</translation></message>
-    <message><source> The port cannot be set to {0} baud, so nothing was probed there.</source>
-        <translation> Le port ne peut pas être réglé sur {0} bauds ; rien n'y a donc été cherché.</translation></message>
-    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
+    <message><source> The port does not support {0} baud, so the scan skipped these settings.</source>
+        <translation> Le port n'accepte pas {0} bauds ; ces réglages n'ont donc pas été essayés.</translation></message>
+    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. Only the full scan finds a board with a custom CRC polynomial.</source>
         <translation>Aucun TReX ne répond sur {0}, quels que soient le débit et la parité, ni avec CRC. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), et que la masse est reliée. Une carte dont le polynôme CRC est personnalisé n'est trouvée que par la recherche complète.</translation></message>
     <message><source>, and data at {0} other settings</source>
         <translation>, et quelque chose à {0} autres réglages</translation></message>
@@ -1109,7 +1109,7 @@
         <translation>Coupez l'alimentation.</translation></message>
     <message><source>The board does not respond.</source>
         <translation>La carte ne répond pas.</translation></message>
-    <message><source>Its server stops the motors half a second after the last heartbeat.</source>
+    <message><source>The server stops the motors half a second after the last heartbeat.</source>
         <translation>Son serveur arrête les moteurs une demi-seconde après le dernier signe de vie.</translation></message>
     <message><source>Channel {0} is required but has no signal.</source>
         <translation>La voie {0} est requise, mais n'a pas de signal.</translation></message>
@@ -1117,21 +1117,21 @@
         <translation>Le démarrage sécurisé maintient les moteurs à l'arrêt : allumez l'émetteur et relâchez ses manches.</translation></message>
     <message><source>Channel {0} is {1} above neutral.</source>
         <translation>La voie {0} est à {1} au-dessus du neutre.</translation></message>
-    <message><source>Safe-start holds the motors until it is within about {2} (inferred): release the stick, or calibrate the channel (in serial mode).</source>
+    <message><source>Safe-start holds the motors until the channel is within about {2} of neutral (inferred): release the stick, or calibrate the channel (in serial mode).</source>
         <translation>Le démarrage sécurisé bloque les moteurs jusqu'à ce que l'écart soit d'au plus {2} environ (déduit) : relâchez le manche, ou étalonnez la voie (en mode série).</translation></message>
     <message><source>Channel {0} is {1} below neutral.</source>
         <translation>La voie {0} est à {1} en dessous du neutre.</translation></message>
     <message><source>Channel 5 requests serial override.</source>
         <translation>La voie 5 demande la priorité série.</translation></message>
-    <message><source>Safe-start holds the motors until this switch is off once.</source>
+    <message><source>Safe-start holds the motors until you turn the switch of channel 5 off.</source>
         <translation>Le démarrage sécurisé bloque les moteurs tant que cet interrupteur n'a pas été inactif une fois.</translation></message>
     <message><source>Safe-start may be holding the motors (inferred).</source>
         <translation>Le démarrage sécurisé bloque peut-être les moteurs (déduit).</translation></message>
     <message><source>Release all sticks.</source>
         <translation>Relâchez tous les manches.</translation></message>
-    <message><source>Motor {0} is off: its driver shut down (too hot, a short circuit, or low voltage).</source>
+    <message><source>Motor {0} is off: its driver shut down because of overheating, a short circuit or low voltage.</source>
         <translation>Le moteur {0} n'est plus alimenté : son driver s'est coupé (surchauffe, court-circuit ou tension trop basse).</translation></message>
-    <message><source>Reduce the load, check wires and battery, and let it cool.</source>
+    <message><source>Reduce the load, check the wires and the battery, and let the driver cool.</source>
         <translation>Réduisez la charge, vérifiez les fils et la batterie, laissez-le refroidir.</translation></message>
     <message><source>Serial timeout: the board received nothing for {0}.</source>
         <translation>Délai série dépassé : la carte n'a rien reçu pendant {0}.</translation></message>
@@ -1139,11 +1139,11 @@
         <translation>Vérifiez le câble, ou réglez un « Délai série » plus long dans Paramètres.</translation></message>
     <message><source>Serial errors ({0}): the board stops the motors when bytes arrive corrupted.</source>
         <translation>Erreurs série ({0}) : la carte arrête les moteurs quand des octets arrivent altérés.</translation></message>
-    <message><source>Check cable and ground. Without UART-Error Shutdown the Serial Timeout may not stop the motors either (twin).</source>
+    <message><source>Check the cable and the ground connection. Without UART-Error Shutdown, the Serial Timeout may not stop the motors either (twin).</source>
         <translation>Vérifiez le câble et la masse. Sans « Arrêt sur erreur UART », le « Délai série » n'arrête peut-être pas non plus les moteurs (jumeau).</translation></message>
-    <message><source>Stopping: the board has not confirmed it yet.</source>
+    <message><source>Stopping: the board has not confirmed the stop yet.</source>
         <translation>Arrêt en cours : la carte ne l'a pas encore confirmé.</translation></message>
-    <message><source>The stop is being repeated; motors may still turn.</source>
+    <message><source>The stop is being repeated. Motors may still be turning.</source>
         <translation>L'ordre d'arrêt est répété ; les moteurs peuvent encore tourner.</translation></message>
     <message><source>Stopped. The motors are locked for {0} s.</source>
         <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
@@ -1151,7 +1151,7 @@
         <translation>Réactivez-les ensuite.</translation></message>
     <message><source>{0} drives this robot. You can watch and stop it.</source>
         <translation>{0} pilote ce robot. Vous pouvez l'observer et l'arrêter.</translation></message>
-    <message><source>“Arm motors” asks {0} to hand over.</source>
+    <message><source>“Arm motors” asks {0} to hand over control.</source>
         <translation>« Activer les moteurs » demande à {0} de le céder.</translation></message>
     <message><source>No board is connected.</source>
         <translation>Aucune carte n'est connectée.</translation></message>
@@ -1161,23 +1161,23 @@
         <translation>Le programme se connecte à la carte.</translation></message>
     <message><source>The connection is being closed.</source>
         <translation>La connexion est en cours de fermeture.</translation></message>
-    <message><source>The board has not reported yet what controls the motors.</source>
+    <message><source>The board has not yet reported what controls the motors.</source>
         <translation>La carte n'a pas encore indiqué ce qui commande les moteurs.</translation></message>
     <message><source>The board reports that serial commands do not control the motors.</source>
         <translation>La carte indique que les commandes série ne commandent pas les moteurs.</translation></message>
-    <message><source>Switch it off and on.</source>
-        <translation>Coupez et remettez son alimentation.</translation></message>
+    <message><source>Switch the board off and on.</source>
+        <translation>Il faut couper et remettre l'alimentation de la carte.</translation></message>
     <message><source>The RC channels control the motors, not serial commands.</source>
         <translation>Les voies RC commandent les moteurs, et non les commandes série.</translation></message>
-    <message><source>To drive by serial commands, turn on the override switch (channel 5), or switch the board off, remove the mode jumper and switch it on.</source>
+    <message><source>To drive by serial commands, turn on the override switch (channel 5), or switch the board off, remove the mode jumper and switch the board on again.</source>
         <translation>Pour piloter par commandes série, activez l'interrupteur de priorité (voie 5), ou coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>The analog channels control the motors, not serial commands.</source>
         <translation>Les voies analogiques commandent les moteurs, et non les commandes série.</translation></message>
-    <message><source>Commands without a device number would reach several boards.</source>
+    <message><source>Commands without a device number would reach more than one board.</source>
         <translation>Des commandes sans numéro d'appareil atteindraient plusieurs cartes.</translation></message>
     <message><source>Select one of the boards on this line.</source>
         <translation>Sélectionnez l'une des cartes de cette liaison.</translation></message>
-    <message><source>Board {0}, which is driven with this one, does not follow.</source>
+    <message><source>Board {0}, which is driven together with this board, does not follow commands.</source>
         <translation>La carte {0}, conduite avec celle-ci, ne suit pas.</translation></message>
     <message><source>Its diagram shows why. “Drive alone” drives the other board without it.</source>
         <translation>Son dessin dit pourquoi. « Conduire seule » utilise l'autre sans elle.</translation></message>
@@ -1191,7 +1191,7 @@
         <translation>Moteurs non activés : rien n'est encore envoyé.</translation></message>
     <message><source>Put the robot on blocks, then arm the motors.</source>
         <translation>Posez le robot sur cales, puis activez les moteurs.</translation></message>
-    <message><source>Motor {0} is slowed down: current over the limit.</source>
+    <message><source>Motor {0} is slowed down: its current exceeds the limit.</source>
         <translation>Le moteur {0} est ralenti : courant au-dessus de la limite.</translation></message>
     <message><source>Reduce the load, or raise the current limit in Parameters.</source>
         <translation>Réduisez la charge, ou augmentez la limite de courant dans Paramètres.</translation></message>
@@ -1215,7 +1215,7 @@
         <translation>clignote vite</translation></message>
     <message><source>Motors may still be turning.</source>
         <translation>Les moteurs tournent peut-être encore.</translation></message>
-    <message><source>The board should stop {0} after the last byte; if not, cut the power.</source>
+    <message><source>The board should stop its motors {0} after the last byte. If it does not, cut the power.</source>
         <translation>La carte devrait arrêter les moteurs {0} après le dernier octet ; sinon, coupez l'alimentation.</translation></message>
     <message><source>The auxiliary motor may still be turning.</source>
         <translation>Le moteur auxiliaire tourne peut-être encore.</translation></message>
@@ -1225,13 +1225,13 @@
         <translation>Non écrit : la carte contient d'autres réglages que lors de la vérification.</translation></message>
     <message><source>The same settings for several boards</source>
         <translation>Les mêmes réglages pour plusieurs cartes</translation></message>
-    <message><source>It does not respond. Check that it has power.</source>
+    <message><source>The board does not respond. Check that it has power.</source>
         <translation>Elle ne répond pas. Vérifiez qu'elle est alimentée.</translation></message>
     <message><source>Not verified: {0}. {1}</source>
         <translation>Non vérifié : {0}. {1}</translation></message>
     <message><source>The connection was closed.</source>
         <translation>La connexion a été fermée.</translation></message>
-    <message><source>In joint mode the board measures no current, so a test could not be aborted.</source>
+    <message><source>In joint mode the board measures no current, so excessive current could not abort a test.</source>
         <translation>En mode jumelé, la carte ne mesure pas de courant : un essai ne pourrait pas être interrompu.</translation></message>
     <message><source>No current has been read yet.</source>
         <translation>Aucun courant n'a encore été lu.</translation></message>
@@ -1251,7 +1251,7 @@
         <translation>Aucun courant n'a été lu pendant {0:g} s.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Le moteur {0} a dépassé sa limite de courant.</translation></message>
-    <message><source>No other board replies on this line. Each board needs power, the same serial settings as this one, and its own device number.</source>
+    <message><source>No other board replied on this line. Every board needs power, the same serial settings as the connected board, and a unique device number.</source>
         <translation>Aucune autre carte ne répond sur cette liaison. Chacune doit être alimentée, avoir les réglages série de celle-ci et un numéro d'appareil qui lui est propre.</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
         <translation><numerusform>%n carte sur cette liaison.</numerusform><numerusform>%n cartes sur cette liaison.</numerusform></translation></message>
@@ -1269,7 +1269,7 @@
         <translation>Le neutre ne peut pas passer sous le minimum.</translation></message>
     <message><source>Neutral cannot pass maximum.</source>
         <translation>Le neutre ne peut pas dépasser le maximum.</translation></message>
-    <message><source>The deadband ends at neutral.</source>
+    <message><source>The ends of the deadband cannot pass neutral.</source>
         <translation>La zone morte s'arrête au neutre.</translation></message>
     <message><source>Motor 1</source>
         <translation>Moteur 1</translation></message>
@@ -1307,15 +1307,15 @@
         <translation>commande le seul moteur, alimenté par les deux drivers (mode jumelé, sans mixage)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>n'a pas de moteur : en mode jumelé, les deux drivers alimentent le moteur 1</translation></message>
-    <message><source>{0} ({1}) is outside the input range. {2} Full output on that side is never reached.</source>
+    <message><source>{0} ({1}) is outside the input range. {2} The output never reaches its full value on that side.</source>
         <translation>{0} ({1}) est hors de la plage de l'entrée. {2} La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
     <message><source>is ignored: it is held at neutral, whatever its input</source>
         <translation>est ignorée : elle est maintenue au neutre, quelle que soit son entrée</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
         <translation>En mode RC ou analogique, elle {1}.</translation></message>
-    <message><source>The board reads {0} now, and shows and accepts only their calibrations. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
+    <message><source>The board now reads {0}, so it shows and accepts only the calibrations for {0}. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci, faites-lui lire : {1}. Réglez « Source des entrées des voies », appliquez, puis coupez et remettez l'alimentation de la carte.</translation></message>
-    <message><source>The board reads {0} now, and shows and accepts only their calibrations. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
+    <message><source>The board now reads {0}, so it shows and accepts only the calibrations for {0}. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
         <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci : coupez son alimentation, placez le cavalier de mode sur {2}, remettez l'alimentation.</translation></message>
     <message><source>applied {0}</source>
         <translation>appliqué le {0}</translation></message>
@@ -1349,9 +1349,9 @@
         <translation>Active maintenant. Elle {1}.</translation></message>
     <message><source>Channel {0} {1}.</source>
         <translation>La voie {0} {1}.</translation></message>
-    <message><source>{0} It accepts a calibration only when minimum is not above neutral, neutral is not above maximum, and minimum and maximum differ.</source>
+    <message><source>{0} The board accepts a calibration only if minimum is not above neutral, neutral is not above maximum, and minimum and maximum differ.</source>
         <translation>{0} Elle n'accepte un étalonnage que si le minimum n'est pas au-dessus du neutre, si le neutre n'est pas au-dessus du maximum, et si le minimum et le maximum sont différents.</translation></message>
-    <message><source>{0} The edits are kept meanwhile.</source>
+    <message><source>{0} Your edits are kept.</source>
         <translation>{0} Les modifications sont conservées en attendant.</translation></message>
     <message><source>The board would reject this: {0}.</source>
         <translation>La carte le rejetterait : {0}.</translation></message>
@@ -1363,7 +1363,7 @@
         <translation>{0} ; elle est inversée</translation></message>
     <message><source>Not connected.</source>
         <translation>Pas connecté.</translation></message>
-    <message><source>The board has stopped responding. Is its power on? Waiting for it …</source>
+    <message><source>The board has stopped responding. Check its power. Waiting for a reply …</source>
         <translation>La carte a cessé de répondre. Est-elle sous tension ? Attente …</translation></message>
     <message><source>Selecting device {0} …</source>
         <translation>Sélection de l'appareil {0} …</translation></message>
@@ -1393,7 +1393,7 @@
         <translation>{0}. Aucune carte n'est connectée qui puisse être arrêtée, et les moteurs peuvent encore tourner : coupez leur alimentation.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. La carte a confirmé l'arrêt.</translation></message>
-    <message><source>{0}. The line is closed.</source>
+    <message><source>{0}. The connection is closed.</source>
         <translation>{0}. La liaison est fermée.</translation></message>
     <message><source>Learning: remove the Mix jumper to begin.</source>
         <translation>Apprentissage : retirez le cavalier Mix pour commencer.</translation></message>
@@ -1409,19 +1409,19 @@
         <translation>Apprentissage terminé ; vert signifie réussi. Retirez SO–G, puis coupez et remettez l'alimentation.</translation></message>
     <message><source>Boot loader: remove Mix, then SO–G.</source>
         <translation>Chargeur d'amorçage : retirez Mix, puis SO–G.</translation></message>
-    <message><source>Boot loader: waiting for firmware. Power-cycle to leave.</source>
+    <message><source>Boot loader: waiting for firmware. Power-cycle to exit.</source>
         <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
-    <message><source>Edits, notes or settings of another board with this device number were saved here. They are now in {0}.</source>
+    <message><source>Edits, notes or settings of another board with this device number were already saved. They were moved to {0}.</source>
         <translation>Des modifications, des notes ou des réglages étaient conservés ici pour une autre carte ayant ce numéro d'appareil. Ils se trouvent maintenant dans {0}.</translation></message>
     <message><source>The settings could not be read again. {0}</source>
         <translation>La relecture a échoué. {0}</translation></message>
-    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: saved, and offered when it is connected again.</source>
+    <message numerus="yes"><source>%n unapplied edit(s) of the previous {0} saved. They are offered when that board is connected again.</source>
         <translation><numerusform>%n modification non appliquée à l'appareil précédent ({0}) : elle est conservée, et proposée quand il sera reconnecté.</numerusform><numerusform>%n modifications non appliquées à l'appareil précédent ({0}) : elles sont conservées, et proposées quand il sera reconnecté.</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
         <translation><numerusform>%n modification antérieure encore en attente. Vérifiez-la pour l'écrire dans cette carte.</numerusform><numerusform>%n modifications antérieures encore en attente. Vérifiez-les pour les écrire dans cette carte.</numerusform></translation></message>
     <message><source>Nothing was written: another board was selected.</source>
         <translation>Rien n'a été écrit : une autre carte a été sélectionnée.</translation></message>
-    <message numerus="yes"><source>%n edit(s) of the previous board saved: they return when it is selected again.</source>
+    <message numerus="yes"><source>%n edit(s) of the previous board saved. They return when that board is selected again.</source>
         <translation><numerusform>%n modification de la carte précédente conservée : elle revient quand cette carte est de nouveau sélectionnée.</numerusform><numerusform>%n modifications de la carte précédente conservées : elles reviennent quand cette carte est de nouveau sélectionnée.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Rien n'a été écrit : la carte ne répond pas.</translation></message>
@@ -1433,7 +1433,7 @@
         <translation>Arrêt</translation></message>
     <message><source>Nothing was written: the settings read from the board have changed.</source>
         <translation>Rien n'a été écrit : d'autres réglages ont été lus dans la carte.</translation></message>
-    <message><source>The network is silent; the server of the robot stops the motors.</source>
+    <message><source>The network is not responding; the robot's server stops the motors.</source>
         <translation>Le réseau est muet ; le serveur du robot arrête les moteurs.</translation></message>
     <message><source>{0} and {1} more</source>
         <translation>{0} et encore {1}</translation></message>
@@ -1449,17 +1449,17 @@
         <translation>Rien n'indique qu'un arrêt ait atteint la carte {0} qui était pilotée sur {1} : une autre carte a répondu. Si un moteur de la première tourne encore, coupez son alimentation.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Une autre carte répond maintenant : {0}, sur {1}.</translation></message>
-    <message><source>The connection to {0} was lost before a stop was confirmed. The board now at this port has confirmed a stop; if it is another board, cut the power of the first.</source>
+    <message><source>The connection to {0} was lost before a stop was confirmed. The board now at this port has confirmed a stop. If this is another board, cut the power of the first board.</source>
         <translation>La liaison avec {0} a été perdue avant la confirmation d'un arrêt. La carte de ce port en a confirmé un ; si c'est une autre carte, coupez l'alimentation de la première.</translation></message>
     <message><source>The connection is not responding.</source>
         <translation>La connexion ne répond pas.</translation></message>
-    <message><source>The guardian process sends it now.</source>
+    <message><source>The guardian process is sending the stop now.</source>
         <translation>Le processus gardien l'envoie maintenant.</translation></message>
     <message><source>The guardian process stopped the motors, and the board confirmed it.</source>
         <translation>Le processus gardien a arrêté les moteurs et la carte l'a confirmé.</translation></message>
-    <message><source>The board that disconnected while driving is back.</source>
+    <message><source>The board that was lost while it was driven is back.</source>
         <translation>La carte qui s'était déconnectée pendant la conduite est de retour.</translation></message>
-    <message><source>This may be another board: {0}, at {1}, has other settings than the board that was driven.</source>
+    <message><source>This may be another board: the settings of {0}, at {1}, differ from those of the board that was driven.</source>
         <translation>C'est peut-être une autre carte : {0}, sur {1}, ne contient pas les réglages de celle qui était pilotée.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, appareil {1}</translation></message>
@@ -1473,7 +1473,7 @@
         <translation>Connectez d'abord une carte.</translation></message>
     <message><source>Settings are being written.</source>
         <translation>Des réglages sont en cours d'écriture.</translation></message>
-    <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
+    <message><source>The motors were stopped and stay locked for another {0:.0f} s.</source>
         <translation>Après un arrêt, les moteurs restent verrouillés pendant encore {0:.0f} s.</translation></message>
     <message><source>Another control is driving now.</source>
         <translation>Une autre commande pilote maintenant.</translation></message>
@@ -1499,19 +1499,19 @@
         <translation>pas de mesure de courant en mode jumelé</translation></message>
     <message><source>limit {0:.1f} A</source>
         <translation>limite {0:.1f} A</translation></message>
-    <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tested: they keep turning if the cable or this computer fails.</source>
+    <message><source>Serial timeout is on, but did not stop the motors of this board when it was tested: motors keep turning if the cable or this computer fails.</source>
         <translation>Le délai série est activé, mais il n'a pas arrêté les moteurs de cette carte lors de l'essai : ils continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
     <message><source>channel {0} at {1} (overridden)</source>
         <translation>voie {0} à {1} (priorité série)</translation></message>
     <message><source>UART-Error Shutdown is off: motors may keep turning if the cable or this computer fails, although the serial timeout is on (twin).</source>
         <translation>« Arrêt sur erreur UART » est désactivé : les moteurs peuvent continuer de tourner si le câble ou cet ordinateur tombe en panne, bien que le délai série soit activé (jumeau).</translation></message>
-    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tested: they keep turning if the cable or this computer fails.</source>
+    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tested: motors keep turning if the cable or this computer fails.</source>
         <translation>« Arrêt sur erreur UART » est désactivé, et le délai série n'a pas arrêté les moteurs de cette carte lors de l'essai : ils continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
-    <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
+    <message><source>The guardian process could not be started: if this program fails, motors keep turning until the serial timeout of {0:g} s expires.</source>
         <translation>Le processus gardien n'a pas pu être démarré : si ce programme tombe en panne, les moteurs continuent de tourner pendant le délai série de {0:g} s.</translation></message>
-    <message><source>Serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer one, or connect the board to this computer.</source>
+    <message><source>The serial timeout of {0:g} s is short for a network port: one late reply stops the motors while you drive. Set a longer timeout, or connect the board to this computer.</source>
         <translation>Un délai série de {0:g} s est court pour un port réseau : une seule réponse tardive arrête les moteurs pendant la conduite. Réglez un délai plus long, ou connectez la carte à cet ordinateur.</translation></message>
-    <message><source>Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer one, or a faster baud rate.</source>
+    <message><source>The serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors while you drive. Set a longer timeout or a higher baud rate.</source>
         <translation>Un délai série de {0:g} s est court pour {1} bauds : une seule réponse perdue arrête les moteurs pendant la conduite. Réglez un délai plus long, ou un débit plus élevé.</translation></message>
     <message><source>left stick, sideways</source>
         <translation>manche gauche, horizontal</translation></message>
@@ -1557,7 +1557,7 @@
         <translation>Une autre manette a été choisie.</translation></message>
     <message><source>The gamepad settings were changed.</source>
         <translation>Les réglages de la manette ont été modifiés.</translation></message>
-    <message><source>No gamepad is connected. Plug one in or switch it on.</source>
+    <message><source>No gamepad is connected. Plug in or switch on a gamepad.</source>
         <translation>Aucune manette n'est connectée. Branchez-en une ou allumez-la.</translation></message>
     <message><source>Release the sticks: driving starts only once both axes have been at rest. A worn stick may need a wider dead zone.</source>
         <translation>Relâchez les manches : la conduite ne commence que lorsque les deux axes ont été au repos. Un manche usé peut nécessiter une zone morte plus large.</translation></message>
@@ -1585,7 +1585,7 @@
         <translation>Au repos, elle est active.</translation></message>
     <message><source>At rest the switch is off.</source>
         <translation>Au repos, elle est inactive.</translation></message>
-    <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
+    <message><source>Cannot continue: the stop of the motors is not confirmed. {0}</source>
         <translation>Impossible de continuer : l'arrêt des moteurs n'a pas pu être confirmé. {0}</translation></message>
     <message><source>The test has ended. Nothing in the board was changed.</source>
         <translation>Le test est terminé ; il ne change rien dans la carte.</translation></message>
@@ -1593,15 +1593,15 @@
         <translation>Rien n'a été modifié.</translation></message>
     <message><source>&amp;Learn channels…</source>
         <translation>Apprendre les &amp;voies…</translation></message>
-    <message><source>These values are stored already.</source>
+    <message><source>These values are already stored.</source>
         <translation>Ces valeurs sont déjà enregistrées.</translation></message>
-    <message><source>The board accepted the stop, but {0}. Check the motors: if one turns, something else drives it, such as another controller on this line; cut its power. Continue only if they are not turning.</source>
+    <message><source>The board accepted the stop, but {0}. Check the motors. If a motor is turning, cut its power: something else is driving it, such as another controller on this line. Continue only if no motor is turning.</source>
         <translation>La carte a accepté l'arrêt, mais {0}. Contrôlez les moteurs : si l'un d'eux tourne, autre chose le commande, par exemple un autre contrôleur sur cette liaison ; coupez l'alimentation de ce moteur. Ne continuez que s'ils ne tournent pas.</translation></message>
     <message><source>The learned values are stored.</source>
         <translation>Ce qui a été appris est enregistré.</translation></message>
-    <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+    <message><source>The board is in {0} mode: the sticks drive the motors, and the board rejects settings. Switch the board off, remove the mode jumper and switch the board on.</source>
         <translation>La carte est en mode {0} : les manches commandent les moteurs, et elle rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
-    <message><source>The board is in {0} mode. Channel 5 has switched the motors to serial control. The next move of its switch returns them to the sticks. The board also rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+    <message><source>The board is in {0} mode. Channel 5 has switched the motors to serial control; when its switch moves again, the sticks drive the motors. In this mode the board rejects settings. Switch the board off, remove the mode jumper and switch the board on.</source>
         <translation>La carte est en mode {0}. La voie 5 a cédé les moteurs à la liaison série, mais au prochain mouvement de son interrupteur, les manches commanderont de nouveau les moteurs ; de plus, la carte rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>The board was started in another mode.</source>
         <translation>La carte a été démarrée dans un autre mode.</translation></message>
@@ -1615,7 +1615,7 @@
         <translation>La valeur a bougé pendant la mesure, entre {0} et {1}. Lâchez tout et refaites la mesure.</translation></message>
     <message><source>Release the stick and sample again. If the drift continues, the stick or the transmitter is warming up or worn.</source>
         <translation>Lâchez tout et refaites la mesure ; si cela continue, le manche ou l'émetteur est en train de chauffer, ou usé.</translation></message>
-    <message><source>Bring the transmitter nearer, or check antenna and cable.</source>
+    <message><source>Move the transmitter closer, or check the antenna and the cable.</source>
         <translation>Rapprochez l'émetteur, ou vérifiez l'antenne et le câble.</translation></message>
     <message><source>At rest the noise is {0}: a deadband wide enough to hide this noise would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
         <translation>Au repos, son bruit est de {0} : une zone morte assez large pour le masquer prendrait un quart de la course. Réparez d'abord le câble, l'alimentation ou le manche.</translation></message>
@@ -1623,15 +1623,15 @@
         <translation>Une entrée à laquelle rien n'est raccordé fait cela aussi.</translation></message>
     <message><source>Either nothing is connected to this input (its voltage is then meaningless), or its stick was not moved.</source>
         <translation>Soit rien n'y est raccordé (sa tension ne signifie alors rien), soit ce qui y est raccordé n'a pas été bougé.</translation></message>
-    <message><source>At least {1} are needed: the deadband, and a count for each of the {2} speeds.</source>
+    <message><source>At least {1} is needed: the deadband plus one count for each of the {2} speeds.</source>
         <translation>Il faut au moins {1} : la zone morte, et un count pour chacune des {2} vitesses.</translation></message>
-    <message><source>Push the stick the other way, too. If it does not move that way, it was at an end during sampling.</source>
+    <message><source>Push the stick in the other direction, too. If this is not possible, the stick was at an end during sampling.</source>
         <translation>Poussez le manche aussi dans l'autre sens ; s'il ne peut pas y aller, il était à une extrémité pendant la mesure.</translation></message>
-    <message><source>The stick went one way only.</source>
+    <message><source>The stick moved in one direction only.</source>
         <translation>La valeur n'est allée que dans un sens.</translation></message>
-    <message><source>Go back, push the stick all the way and hold it there for {0:.1f} s.</source>
+    <message><source>Go back, push the stick all the way and hold this position for {0:.1f} s.</source>
         <translation>Revenez en arrière, poussez le manche jusqu'au bout et maintenez-l'y {0:.1f} s.</translation></message>
-    <message><source>The stick went {0} to one side, but only {1} to the other.</source>
+    <message><source>The stick moved {0} to one side, but only {1} to the other side.</source>
         <translation>La valeur est allée à {0} d'un côté, mais seulement à {1} de l'autre.</translation></message>
     <message><source>Was the stick pushed all the way?</source>
         <translation>Le manche a-t-il été poussé jusqu'au bout ?</translation></message>
@@ -1655,19 +1655,19 @@
         <translation>La liaison radio est mauvaise, ou le câble capte des parasites.</translation></message>
     <message><source>About {0:.0%} of the pulses are lost (estimated: the value often repeats where it otherwise varies).</source>
         <translation>Environ {0:.0%} des impulsions sont perdues (estimation : la valeur se répète souvent là où elle varie d'habitude).</translation></message>
-    <message><source>The board repeats the last value, so losses below a third, or in a steadier signal, go unnoticed.</source>
+    <message><source>The board repeats the last value, so losses below a third, or losses in a steadier signal, cannot be detected.</source>
         <translation>La carte répète la dernière valeur ; des pertes inférieures à un tiers, ou d'un signal plus stable, passent donc inaperçues.</translation></message>
     <message><source>At rest the noise is {0}, more than the deadband ({1}): the motor would creep.</source>
         <translation>Au repos, le bruit est de {0}, plus que la zone morte ({1}) : le moteur tournerait lentement tout seul.</translation></message>
     <message><source>A steady signal arrives, but it never moved.</source>
         <translation>La valeur n'a jamais bougé, bien qu'un signal stable arrive.</translation></message>
-    <message><source>Either another stick controls this channel, or it was not moved.</source>
+    <message><source>Either another stick controls this channel, or the stick was not moved.</source>
         <translation>Soit un autre manche commande cette voie, soit le sien n'a pas été bougé.</translation></message>
-    <message><source>Nothing moves on this input: it stays at {0}.</source>
+    <message><source>This input does not change: it stays at {0}.</source>
         <translation>Rien ne bouge sur cette entrée : elle reste à {0}.</translation></message>
-    <message><source>Nothing moves on this input: it stays at {0}, an end of the measuring range.</source>
+    <message><source>This input does not change: it stays at {0}, an end of the measuring range.</source>
         <translation>Rien ne bouge sur cette entrée : elle reste à {0}, une extrémité de la plage de mesure.</translation></message>
-    <message><source>The stick went only {0} from its rest position.</source>
+    <message><source>The stick moved only {0} from its rest position.</source>
         <translation>La valeur ne s'est éloignée que de {0} de sa position de repos.</translation></message>
     <message><source>The low end is only {0} from the rest position.</source>
         <translation>L'extrémité basse n'est qu'à {0} de la position de repos.</translation></message>
@@ -1691,9 +1691,9 @@
         <translation>Une main y était-elle posée pendant la mesure, ou un trim a-t-il été bougé ?</translation></message>
     <message><source>Go back and sample the channel again, or use the new rest position.</source>
         <translation>Revenez en arrière et refaites la mesure, ou utilisez la nouvelle position de repos.</translation></message>
-    <message><source>{0} is beyond {1}, the farthest value reached: there is no full output.</source>
+    <message><source>{0} is beyond {1}, the farthest value reached: the output cannot reach its full value.</source>
         <translation>{0} est au-delà de la valeur atteinte ({1}) : il n'y a pas de sortie maximale.</translation></message>
-    <message><source>Beyond its rest position the motor speeds up again, in either direction: at {0} to {1} of {2}.</source>
+    <message><source>Beyond the rest position the motor speeds up again: at {0}, to {1} of {2} in either direction.</source>
         <translation>Au-delà de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
     <message><source>Check that no trim and no broken wire can move the signal there.</source>
         <translation>Vérifiez qu'aucun trim ni aucun fil coupé ne peut l'y amener.</translation></message>
@@ -1731,7 +1731,7 @@
         <translation>activé</translation></message>
     <message><source>The board is back. It has confirmed the stop.</source>
         <translation>La carte est de retour. Elle a confirmé l'arrêt.</translation></message>
-    <message><source>The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did its Serial Timeout stop the motor meanwhile?</source>
+    <message><source>The board is back. It has confirmed the stop. It received nothing for {0:.0f} s: did its Serial Timeout stop the motor during that time?</source>
         <translation>La carte est de retour. Elle a confirmé l'arrêt. Pendant {0:.0f} s, elle n'a rien reçu : son « Délai série » a-t-il arrêté le moteur entre-temps ?</translation></message>
     <message><source>It stopped</source>
         <translation>Il s'est arrêté</translation></message>
@@ -1755,9 +1755,9 @@
         <translation>{0} : {1}</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
         <translation><numerusform>et encore %n paquet</numerusform><numerusform>et encore %n paquets</numerusform></translation></message>
-    <message><source>Every board on this line would store it: address device {0}.</source>
+    <message><source>Every board on this line would store the value: address device {0}.</source>
         <translation>Toutes les cartes de cette liaison l'enregistreraient : adressez l'appareil {0}.</translation></message>
-    <message><source>Every board on this line would store it: select one of them.</source>
+    <message><source>Every board on this line would store the value: select a board.</source>
         <translation>Toutes les cartes de cette liaison l'enregistreraient : sélectionnez l'une d'elles.</translation></message>
     <message><source>Sent {0}; the reply is {1}.</source>
         <translation>{0} envoyé ; la réponse est {1}.</translation></message>
@@ -1791,13 +1791,13 @@
         <translation>Moteurs 1 et 2 : {0}</translation></message>
     <message><source>{0}: {1} is not a valid value.</source>
         <translation>{0}: {1} n'est pas une valeur valide.</translation></message>
-    <message><source>Switching frequency of the motor's PWM. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
+    <message><source>Switching frequency of the motor's PWM. Low frequencies make the motor whine and heat up; frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it supports.</source>
         <translation>Nombre de commutations par seconde du PWM du moteur. Une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à la valeur nominale du driver fait chauffer celui-ci. Tapez un nombre ou utilisez les flèches. La carte enregistre la fréquence de commutation possible la plus proche.</translation></message>
     <message><source>This firmware has also stored wire values outside this range: {0}.</source>
         <translation>Ce firmware a enregistré au-delà : valeur transmise {0}.</translation></message>
     <message><source>(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers.</source>
         <translation>(jumeau) : documenté pour le qik 2s12v10 de Pololu, qui a les mêmes drivers de moteur.</translation></message>
-    <message><source>(inferred): no document confirms it.</source>
+    <message><source>(inferred): not confirmed by any document.</source>
         <translation>(déduit) : aucun document ne le confirme.</translation></message>
     <message><source>PWM Frequency</source>
         <translation>Fréquence PWM</translation></message>
@@ -1865,7 +1865,7 @@
         <translation>{0} ; il est affiché comme texte d'Europe occidentale. Vérifiez les caractères qui ne sont pas de simples lettres ; l'enregistrement écrit en UTF-8</translation></message>
     <message><source>{0} is left out because it could not be read from the board.</source>
         <translation>{0} est omis : impossible de le lire dans la carte.</translation></message>
-    <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
+    <message><source>The {0} calibrations are left out: the board accepts them only while its input source is {0}.</source>
         <translation>Les étalonnages {0} sont omis : la carte ne les accepte que si elle lit ses entrées en {0}.</translation></message>
     <message><source>These settings are for a {0}, not a {1}</source>
         <translation>Ces réglages sont pour un {0}, pas pour un {1}</translation></message>
@@ -1901,11 +1901,11 @@
         <translation>hier {0}</translation></message>
     <message><source>This snapshot is damaged and cannot be restored. {0}</source>
         <translation>Cet instantané est endommagé et ne peut pas être restauré. {0}</translation></message>
-    <message><source>The board accepts changes in serial mode only: switch it off, remove the mode jumper, switch it on. Edits are kept.</source>
+    <message><source>The board accepts changes only in serial mode: switch the board off, remove the mode jumper, and switch the board on. Your edits are kept.</source>
         <translation>La carte n'accepte des modifications qu'en mode série : coupez son alimentation, retirez le cavalier de mode, remettez l'alimentation. Les modifications sont conservées.</translation></message>
     <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
         <translation>Rien n'a été écrit, car aucun instantané n'a pu être enregistré au préalable. {0}</translation></message>
-    <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
+    <message><source>Nothing was written: without a device number, the write would reach every board on this line. Select a board first.</source>
         <translation>Rien n'a été écrit : sans numéro d'appareil, cela atteindrait plusieurs cartes. Sélectionnez l'une des cartes de cette liaison.</translation></message>
     <message><source>Nothing else was written. {0}</source>
         <translation>Rien d'autre n'a été écrit. {0}</translation></message>
@@ -1913,9 +1913,9 @@
         <translation><numerusform>Application de %n réglage</numerusform><numerusform>Application de %n réglages</numerusform></translation></message>
     <message><source>{0} set</source>
         <translation>{0} : réglé</translation></message>
-    <message><source>Joint mode: both outputs drive one motor, so there is nothing to find.</source>
+    <message><source>Joint mode: both outputs drive one motor, so there is nothing to identify.</source>
         <translation>Mode jumelé : les deux sorties alimentent un seul moteur, il n'y a donc rien à identifier.</translation></message>
-    <message><source>Lift the robot so that its wheels turn freely, then confirm that here.</source>
+    <message><source>Lift the robot so that its wheels turn freely, then confirm this here.</source>
         <translation>Soulevez le robot pour que ses roues tournent librement, puis confirmez-le ici.</translation></message>
     <message><source>The wheels may touch the ground.</source>
         <translation>Les roues touchent peut-être le sol.</translation></message>
@@ -1931,7 +1931,7 @@
         <translation>Voie {0}</translation></message>
     <message><source>{0} channel {1}</source>
         <translation>voie {1} ({0})</translation></message>
-    <message><source>it is a number of counts (3750) or has a unit (1500us, 2.5V), not {0}</source>
+    <message><source>expected a number of counts (3750) or a value with a unit (1500us, 2.5V), not {0}</source>
         <translation>ce sont des counts (3750), ou une valeur comme 1500us ou 2.5V, et non {0}</translation></message>
     <message><source>minimum {0} is above neutral {1}</source>
         <translation>le minimum {0} est au-dessus du neutre {1}</translation></message>
@@ -1943,8 +1943,12 @@
         <translation>{0} vaut {1} ; une valeur d'étalonnage va de 0 à {2}</translation></message>
     <message><source>calibration: {0}</source>
         <translation>étalonnage : {0}</translation></message>
+    <message><source>a channel mask must be 0 to {0}, not {1}</source>
+        <translation>un masque de voies va de 0 à {0}, et non {1}</translation></message>
     <message><source>parameter number</source>
         <translation>numéro de paramètre</translation></message>
+    <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
+        <translation>{0:#04x} n'est pas un mode du TReX (R, A, r ou a)</translation></message>
     <message><source>the request came back instead of a status</source>
         <translation>la requête est revenue à la place d'un état</translation></message>
     <message><source>the motor number must be 1 or 2, not {0}</source>
@@ -1959,29 +1963,25 @@
         <translation>les voies sont numérotées de 1 à 5, et non {0}</translation></message>
     <message><source>the control flag must be 0 or 1, not {0}</source>
         <translation>0 ou 1 indique qui commande les moteurs, et non {0}</translation></message>
-    <message><source>a channel mask must be 0 to {0}, not {1}</source>
-        <translation>un masque de voies va de 0 à {0}, et non {1}</translation></message>
     <message><source>{0:#04x} names channels that a TReX does not have</source>
         <translation>{0:#04x} désigne des voies qu'un TReX n'a pas</translation></message>
-    <message><source>a parameter number must be 0 to 127, not {0}</source>
+    <message><source>a parameter value must be 0 to 127, not {0}</source>
         <translation>un paramètre va de 0 à 127, et non {0}</translation></message>
     <message><source>{0} is not a TReX result code (0 to 3)</source>
         <translation>{0} n'est pas un code de résultat du TReX (0 à 3)</translation></message>
     <message><source>parameter value</source>
         <translation>valeur de paramètre</translation></message>
-    <message><source>{0:#04x} is not a TReX mode (R, A, r or a)</source>
-        <translation>{0:#04x} n'est pas un mode du TReX (R, A, r ou a)</translation></message>
     <message><source>device number</source>
         <translation>numéro d'appareil</translation></message>
     <message><source>Boards that are driven together need different device numbers.</source>
         <translation>Des cartes conduites ensemble ont besoin de numéros différents.</translation></message>
-    <message><source>The board needs a number that no other device has.</source>
+    <message><source>The board needs a device number that no other device on the line has.</source>
         <translation>Il faut à la carte un numéro qu'aucun autre appareil n'a.</translation></message>
-    <message><source>{0!r} are not settings of a board</source>
+    <message><source>{0!r} are not valid board settings</source>
         <translation>{0!r} ne correspond pas aux réglages d'une carte</translation></message>
     <message><source>Measured currents may be off by 20 % (twin).</source>
         <translation>La carte peut se tromper de 20 % en mesurant les courants (jumeau).</translation></message>
-    <message><source>The stop was sent, but the channels control the motors: it takes effect only when channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
+    <message><source>The stop was sent, but has no effect yet: the channels control the motors until channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
         <translation>L'ordre d'arrêt a été envoyé, mais les voies commandent les moteurs : il n'agit que lorsque la voie 5 donne la main aux commandes série. Relâchez les manches ou coupez l'alimentation.</translation></message>
     <message><source>minimum</source>
         <translation>minimum</translation></message>
@@ -2041,14 +2041,18 @@
         <translation>interrupteur de priorité série</translation></message>
     <message><source>Serial commands control the motors (serial mode).</source>
         <translation>Les commandes série commandent les moteurs (mode série).</translation></message>
-    <message><source> Joint mode: both drivers work together as motor 1, motor 2 is ignored.</source>
-        <translation> Mode jumelé : les deux drivers travaillent ensemble comme moteur 1, le moteur 2 est ignoré.</translation></message>
+    <message><source> Joint mode: both drivers work together as motor 1, and commands for motor 2 are ignored.</source>
+        <translation> Mode jumelé : les deux drivers travaillent ensemble comme moteur 1, les commandes du moteur 2 sont ignorées.</translation></message>
     <message><source>accelerate</source>
         <translation>accélérer</translation></message>
     <message><source>set</source>
         <translation>régler immédiatement</translation></message>
     <message><source>no TReX</source>
         <translation>aucun TReX</translation></message>
+    <message><source>set calibration of channel {0}: {1}</source>
+        <translation>régler l'étalonnage de la voie {0} : {1}</translation></message>
+    <message><source>{0} motor 1 to {1}, motor 2 to {2}</source>
+        <translation>{0} le moteur 1 : {1}, le moteur 2 : {2}</translation></message>
     <message><source>Serial commands control the motors: channel 5 overrides the other inputs.</source>
         <translation>Les commandes série commandent les moteurs : la voie 5 leur donne la priorité sur les autres entrées.</translation></message>
     <message><source>motor {0}: {1:.2f} A</source>
@@ -2075,43 +2079,39 @@
         <translation>lire le courant du moteur {0}</translation></message>
     <message><source>get calibration of channel {0}</source>
         <translation>lire l'étalonnage de la voie {0}</translation></message>
-    <message><source>set calibration of channel {0}: {1}</source>
-        <translation>régler l'étalonnage de la voie {0} : {1}</translation></message>
     <message><source>get {0}</source>
         <translation>lire {0}</translation></message>
     <message><source>set {0} to {1}</source>
         <translation>régler {0} à {1}</translation></message>
     <message><source>{0} motor {1} to {2}</source>
         <translation>{0} le moteur {1} : {2}</translation></message>
-    <message><source>{0} motor 1 to {1}, motor 2 to {2}</source>
-        <translation>{0} le moteur 1 : {1}, le moteur 2 : {2}</translation></message>
     <message><source>{0} auxiliary motor to {1}</source>
         <translation>{0} le moteur auxiliaire : {1}</translation></message>
-    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them; for serial mode, switch the board off, remove the mode jumper and switch it on.</source>
+    <message><source>The {0} channels control the motors. Serial commands take effect only when channel 5 gives control to them. For serial mode, switch the board off, remove the mode jumper and switch the board on again.</source>
         <translation>Les voies ({0}) commandent les moteurs. Les commandes série n'agissent que lorsque la voie 5 leur donne la main ; pour le mode série, coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>analog</source>
         <translation>analogique</translation></message>
     <message><source>brake with {0}</source>
         <translation>freiner à {0}</translation></message>
-    <message><source>the model must be {0}, not {1!r}</source>
-        <translation>les modèles sont {0}, et non {1!r}</translation></message>
     <message><source>the PWM prescaler must be 0 to {0}, not {1}</source>
         <translation>le prédiviseur PWM va de 0 à {0}, et non {1}</translation></message>
+    <message><source>the model must be {0}, not {1!r}</source>
+        <translation>les modèles sont {0}, et non {1!r}</translation></message>
     <message><source>brake duty</source>
         <translation>taux de freinage</translation></message>
     <message><source>a motor's speed must be -127 to 127, not {0}</source>
         <translation>la vitesse d'un moteur va de -127 à 127, et non {0}</translation></message>
-    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch the board off and on.</source>
         <translation>Aucun TReX ne répond sur {0}. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), que la masse est reliée et que les réglages série de la carte sont bien ceux-ci. Si les deux LED clignotent ensemble, la carte est en mode apprentissage : retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
     <message><source>Everything sent on {0} comes back, and nothing else arrives. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
         <translation>Tout ce qui est envoyé sur {0} revient, et rien d'autre. Soit il s'agit du côté RS-232 d'une carte hors tension ou réglée sur un autre débit, soit TX et RX de l'adaptateur sont reliés entre eux.</translation></message>
     <message><source>Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC differs from the board's setting, or another device is connected.</source>
         <translation>Quelque chose répond sur {0}, mais pas comme un TReX. {1} En général, le débit, la parité ou le CRC diffère du réglage de la carte, ou un autre appareil est connecté.</translation></message>
-    <message><source>The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and SO–G jumpers are off, then switch the board off and on and connect again. Its serial settings may be those of the factory now: 19200 baud, no parity, no CRC.</source>
+    <message><source>The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and SO–G jumpers are off, then switch the board off and on and connect again. Its serial settings may now be the factory defaults: 19200 baud, no parity, no CRC.</source>
         <translation>Le TReX sur {0} est dans son chargeur d'amorçage et attend un nouveau firmware. Vérifiez que les cavaliers Mix et SO–G sont retirés, puis coupez et remettez l'alimentation de la carte et connectez-vous à nouveau. Ses réglages série sont peut-être maintenant ceux d'usine : 19200 bauds, sans parité, sans CRC.</translation></message>
     <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: select the port of the TReX, or connect the adapter to the TReX.</source>
         <translation>L'appareil sur {0} répond comme un qik de Pololu, pas comme un TReX. Ce programme ne le prend pas en charge : choisissez le port du TReX, ou branchez l'adaptateur sur le TReX.</translation></message>
-    <message><source>Several boards reply at once on {0} at {1}. “Find” tries each device number. If boards share a number, switch off all but one of them and give that board its own number.</source>
+    <message><source>More than one board replies on {0} at {1}. “Find” tries every device number. If two boards have the same number, switch one of them off and give the other board a different number.</source>
         <translation>Plusieurs cartes répondent en même temps sur {0} à {1}. « Rechercher… » interroge chaque numéro d'appareil ; si plusieurs cartes partagent le même, coupez l'alimentation de toutes sauf une et donnez à celle-ci son propre numéro.</translation></message>
     <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>Un {1} répond sur {0} à {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
@@ -2119,7 +2119,7 @@
         <translation>Un {1} répond sur {0} avec le polynôme CRC {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
     <message><source>A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. Connect with the settings of the board.</source>
         <translation>Un {1} répond sur {0}, mais son numéro d'appareil est {2}, et cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
-    <message><source>A {1} responds on {0}, but not every time: the line loses or corrupts bytes. Check cable and ground, keep motor leads away from them, then connect again.</source>
+    <message><source>A {1} responds on {0}, but not every time: the line loses or corrupts bytes. Check the cable and the ground connection, keep motor leads away from the cable, then connect again.</source>
         <translation>Un {1} ne répond sur {0} que par moments : la liaison perd ou altère des octets. Vérifiez le câble et la masse, éloignez-en les fils des moteurs, puis connectez-vous à nouveau.</translation></message>
     <message><source>No reply to {0}.</source>
         <translation>Pas de réponse à {0}.</translation></message>
@@ -2129,7 +2129,7 @@
         <translation>La réponse {0} est altérée : {1}.</translation></message>
     <message><source>Late replies arrived and cannot be matched to requests.</source>
         <translation>Des réponses tardives sont arrivées et ne peuvent pas être associées aux requêtes.</translation></message>
-    <message><source>The board's replies to {0} differ each time: the line corrupts bytes, so what is stored is not known. Check cable and ground, keep motor leads away from them, or use a lower baud rate or CRC.</source>
+    <message><source>The board's replies to {0} differ each time: the line corrupts bytes, so the stored value is unknown. Check the cable and the ground connection, keep motor leads away from the cable, lower the baud rate, or use CRC.</source>
         <translation>Les réponses de la carte à {0} diffèrent à chaque fois : la liaison altère des octets, ce qui est enregistré n'est donc pas connu. Vérifiez le câble et la masse, éloignez-en les fils des moteurs, ou utilisez un débit plus bas ou le CRC.</translation></message>
     <message><source>The stop was sent, but the board does not confirm it. If a motor is still turning, cut its power.</source>
         <translation>L'ordre d'arrêt a été envoyé, mais la carte ne le confirme pas. Si un moteur tourne encore, coupez son alimentation.</translation></message>
@@ -2141,77 +2141,77 @@
         <translation>Les moteurs pilotés n'absorbent aucun courant : la carte a peut-être redémarré.</translation></message>
     <message><source>The guardian process ended, and another one could not be started.</source>
         <translation>Le processus gardien s'est terminé, et un autre n'a pas pu être démarré.</translation></message>
-    <message><source>These bytes may move a motor; nothing was sent. Arm the motors first.</source>
+    <message><source>Nothing was sent, because these bytes may move a motor. Arm the motors first.</source>
         <translation>Ces octets peuvent faire tourner un moteur ; rien n'a été envoyé. Activez d'abord les moteurs.</translation></message>
-    <message><source>These bytes may move a motor of another board, which a stop on this connection does not reach; nothing was sent. Address device {0} in them, or connect with the compact protocol.</source>
+    <message><source>Nothing was sent, because these bytes may move a motor of another board, which a stop on this connection does not reach. Use device number {0} in the packet, or connect with the compact protocol.</source>
         <translation>Ces octets peuvent faire tourner un moteur d'une autre carte, qu'un arrêt sur cette connexion n'atteint pas ; rien n'a été envoyé. Indiquez-y l'appareil {0} comme destinataire, ou connectez-vous avec le protocole compact.</translation></message>
-    <message><source>A stop came first; nothing was sent.</source>
+    <message><source>Nothing was sent, because a stop was requested first.</source>
         <translation>Un arrêt est intervenu avant ; rien n'a été envoyé.</translation></message>
     <message><source>The program does not scan for other boards while motors are armed or may be moving. Stop the motors first.</source>
         <translation>Aucune autre carte n'est recherchée tant que des moteurs sont activés ou tournent peut-être encore. Arrêtez d'abord les moteurs.</translation></message>
-    <message><source>Board {0} was not selected, because the stop of the present board is not confirmed. If a motor is still turning, cut its power.</source>
+    <message><source>Board {0} was not selected, because the current board has not confirmed its stop. If a motor is still turning, cut its power.</source>
         <translation>La carte {0} n'a pas été sélectionnée, car aucun arrêt de la carte actuelle n'est confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>Board {0} was not selected, because it does not respond. Check that it has power. The previous board is still selected.</source>
         <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
-    <message><source>Another board on this line has the device number {0}. Select a number that is free.</source>
+    <message><source>Another board on this line has the device number {0}. Select an unused number.</source>
         <translation>Une autre carte de cette liaison a le numéro d'appareil {0}. Choisissez un numéro libre.</translation></message>
-    <message><source>Board {0} no longer follows: it fell silent, was stopped or restarted.</source>
+    <message><source>Board {0} is no longer driven with the group: it stopped responding, was stopped, or restarted.</source>
         <translation>La carte {0} ne suit plus : elle s'est tue, a été arrêtée ou a redémarré.</translation></message>
-    <message><source>Board {0} does not belong to the boards driven together here.</source>
+    <message><source>Board {0} is not one of the boards that are driven together here.</source>
         <translation>La carte {0} n'est pas de celles qui sont conduites ensemble ici.</translation></message>
-    <message><source>While boards are driven together, no device number can be changed, no board can be selected, and no typed packet can store anything. Connect to this board alone.</source>
+    <message><source>While boards are driven together, you cannot change a device number, select a board, or send a packet that stores a setting. Connect to this board alone.</source>
         <translation>Les cartes conduites ensemble gardent leurs numéros, aucune ne peut être choisie, et aucun paquet saisi ne peut rien enregistrer. Connectez-vous à cette carte seule.</translation></message>
-    <message><source>Another user drives this board. Ask that user to hand over.</source>
+    <message><source>Another user drives this board. Ask that user to hand over control.</source>
         <translation>Un autre utilisateur pilote cette carte. Demandez qu'il la cède.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>
         <translation>Vous pouvez observer cette carte et l'arrêter, mais ni la piloter ni la modifier.</translation></message>
     <message><source>Only an owner may take over from another user.</source>
         <translation>Seul un propriétaire peut prendre la conduite à un autre utilisateur.</translation></message>
-    <message><source>Driving was handed over, or the heartbeat did not reach the robot.</source>
+    <message><source>Control was handed over, or the heartbeat did not reach the robot.</source>
         <translation>Le pilotage a été cédé, ou le signe de vie n'a pas atteint le robot.</translation></message>
-    <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>
+    <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old</source>
         <translation>{0} : la carte ne connaît pas ce paramètre (code 1) ; son firmware est peut-être trop ancien</translation></message>
     <message><source>{0}: the board rejects this value (code 2)</source>
         <translation>{0} : la carte rejette cette valeur (code 2)</translation></message>
-    <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper, switch it on again</source>
+    <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper and switch it on again</source>
         <translation>{0} : la carte n'est pas en mode série (code 3) ; coupez l'alimentation, retirez le cavalier de mode, remettez l'alimentation</translation></message>
-    <message><source>{0} could not be verified: wrote {1}, but the board reads back {2}</source>
+    <message><source>{0} could not be verified: {1} was written, but {2} was read back</source>
         <translation>{0} n'a pas pu être vérifié : valeur écrite {1}, mais la carte renvoie {2} à la relecture</translation></message>
-    <message><source>{0} could not be verified: the board reads back {1}</source>
+    <message><source>{0} could not be verified: {1} was read back</source>
         <translation>{0} n'a pas pu être vérifié : la carte renvoie {1} à la relecture</translation></message>
-    <message><source>{0} is for {1} inputs, but the board reads {2} now</source>
+    <message><source>{0} is for {1} inputs, but the board now reads {2} inputs</source>
         <translation>{0} vaut pour les entrées {1}, mais la carte lit maintenant {2}</translation></message>
-    <message><source>Another board responds now: {0}. Nothing was written to it.</source>
+    <message><source>A different board now responds: {0}. Nothing was written to it.</source>
         <translation>Une autre carte répond maintenant : {0}. Rien n'y a été écrit.</translation></message>
-    <message><source>Another board responds now: {0}. Settings may have been written to it; compare it with its last snapshot.</source>
+    <message><source>A different board now responds: {0}. Settings may have been written to it. Compare it with its last snapshot.</source>
         <translation>Une autre carte répond maintenant : {0}. Des réglages y ont peut-être été écrits ; comparez-la à son dernier instantané.</translation></message>
-    <message><source>The board no longer stores the settings that were read from it: it is another board, or its settings were changed meanwhile. Nothing was written.</source>
+    <message><source>The board no longer stores the settings that were read from it: it is another board, or its settings were changed in the meantime. Nothing was written.</source>
         <translation>La carte ne contient plus les réglages qui y ont été lus : c'est une autre carte, ou elle a été modifiée entre-temps. Rien n'a été écrit.</translation></message>
-    <message><source>The line corrupted bytes while {0} was written, and another setting may have been changed instead. Read the board again and compare it with the last snapshot. {1}</source>
+    <message><source>The line corrupted bytes while {0} was being written, and another setting may have been changed instead. Read the board again and compare it with the last snapshot. {1}</source>
         <translation>La liaison a altéré des octets pendant l'écriture de {0} ; un autre réglage a peut-être été modifié à la place. Relisez la carte et comparez-la au dernier instantané. {1}</translation></message>
-    <message><source>{0} settings differ from what was read before, so none was restored: another board may be connected.</source>
+    <message><source>{0} settings differ from the values that were read before, so none was restored: another board may be connected.</source>
         <translation>{0} réglages diffèrent de ce qui avait été lu ; aucun n'a donc été restauré : une autre carte est peut-être connectée.</translation></message>
     <message><source>The write was cancelled before this setting was written.</source>
         <translation>L'écriture a été annulée avant d'en arriver là.</translation></message>
-    <message><source>{0} {1} may have gone back to the factory default: after a power cycle the board would run at {2}</source>
+    <message><source>{0} {1} may have been reset to the factory default: after a power cycle, the board would run at {2}</source>
         <translation>{0} « {1} » : retour possible à la valeur d'usine ; après avoir coupé et remis l'alimentation, la carte fonctionnerait à {2}</translation></message>
     <message><source>The board is not responding; scanning for it.</source>
         <translation>La carte ne répond pas ; recherche en cours.</translation></message>
     <message><source>Motor 2 over current limit</source>
         <translation>Moteur 2 au-dessus de la limite de courant</translation></message>
-    <message><source>The current of motor 2 passed its limit and the limiter lowered its speed.</source>
+    <message><source>The current of motor 2 exceeded its limit, so the limiter reduced the speed of the motor.</source>
         <translation>Le courant du moteur 2 a dépassé sa limite et le limiteur a réduit sa vitesse.</translation></message>
     <message><source>Motor 2 fault</source>
         <translation>Défaut du moteur 2</translation></message>
-    <message><source>The driver of motor 2 shut itself down: too hot, short circuit or low voltage.</source>
+    <message><source>The driver of motor 2 shut itself down because of overheating, a short circuit or low voltage.</source>
         <translation>Le driver du moteur 2 s'est coupé : surchauffe, court-circuit ou tension trop basse.</translation></message>
     <message><source>Motor 1 over current limit</source>
         <translation>Moteur 1 au-dessus de la limite de courant</translation></message>
-    <message><source>The current of motor 1 passed its limit and the limiter lowered its speed.</source>
+    <message><source>The current of motor 1 exceeded its limit, so the limiter reduced the speed of the motor.</source>
         <translation>Le courant du moteur 1 a dépassé sa limite et le limiteur a réduit sa vitesse.</translation></message>
     <message><source>Motor 1 fault</source>
         <translation>Défaut du moteur 1</translation></message>
-    <message><source>The driver of motor 1 shut itself down: too hot, short circuit or low voltage.</source>
+    <message><source>The driver of motor 1 shut itself down because of overheating, a short circuit or low voltage.</source>
         <translation>Le driver du moteur 1 s'est coupé : surchauffe, court-circuit ou tension trop basse.</translation></message>
     <message><source>UART error</source>
         <translation>Erreur UART</translation></message>
@@ -2223,7 +2223,7 @@
         <translation>Aucun octet n'est arrivé pendant le « Délai série ». La carte devrait avoir arrêté ses moteurs.</translation></message>
     <message><source>Format error</source>
         <translation>Erreur de format</translation></message>
-    <message><source>A packet had an unknown command, a command byte inside it or an invalid data byte.</source>
+    <message><source>A packet contained an unknown command, an unexpected command byte or an invalid data byte.</source>
         <translation>Un paquet contenait une commande inconnue, un octet de commande en son milieu ou un octet de données non valide.</translation></message>
     <message><source>CRC error</source>
         <translation>Erreur CRC</translation></message>
@@ -2243,7 +2243,7 @@
         <translation>La parité d'un octet était fausse : les réglages de parité diffèrent, ou la liaison est bruitée.</translation></message>
     <message><source>Read buffer overrun</source>
         <translation>Débordement du tampon de lecture</translation></message>
-    <message><source>More bytes arrived than the board can buffer; something sends while the board replies.</source>
+    <message><source>More bytes arrived than the board can buffer: something is sending while the board replies.</source>
         <translation>Il est arrivé plus d'octets que la carte ne peut en mettre en tampon ; quelque chose émet pendant que la carte répond.</translation></message>
     <message><source>Send buffer overrun</source>
         <translation>Débordement du tampon d'émission</translation></message>
@@ -2251,12 +2251,14 @@
         <translation>Une réponse était plus longue que le tampon d'émission.</translation></message>
     <message><source>{0} must be 0 to 127, not {1}</source>
         <translation>{0} va de 0 à 127, et non {1}</translation></message>
+    <message><source>a CRC-7 polynomial must be 0x80 to 0xFF, not {0:#x}</source>
+        <translation>un polynôme CRC-7 va de 0x80 à 0xFF, et non {0:#x}</translation></message>
     <message><source>a data byte outside a packet</source>
         <translation>un octet de données hors d'un paquet</translation></message>
     <message><source>1 byte</source>
         <translation>1 octet</translation></message>
-    <message><source>a CRC-7 polynomial must be 0x80 to 0xFF, not {0:#x}</source>
-        <translation>un polynôme CRC-7 va de 0x80 à 0xFF, et non {0:#x}</translation></message>
+    <message><source>the CRC is {0:02X}, but should be {1:02X}</source>
+        <translation>le CRC est {0:02X}, et non {1:02X}</translation></message>
     <message><source>the packet is not complete</source>
         <translation>le paquet n'est pas complet</translation></message>
     <message><source>a command byte inside a packet</source>
@@ -2269,16 +2271,14 @@
         <translation>{0} octets</translation></message>
     <message><source>{0} more than the reply has</source>
         <translation>{0} de trop par rapport à la réponse</translation></message>
-    <message><source>the CRC is {0:02X}, not {1:02X}</source>
-        <translation>le CRC est {0:02X}, et non {1:02X}</translation></message>
     <message><source>UART settings must be a wire value from 0 to 127, not {0}</source>
         <translation>les réglages UART sont une valeur transmise de 0 à 127, et non {0}</translation></message>
-    <message><source>UART settings {0:#04x} name no baud rate</source>
+    <message><source>the number of stop bits must be 1 or 2, not {0}</source>
+        <translation>1 ou 2 bits d'arrêt, et non {0}</translation></message>
+    <message><source>UART settings {0:#04x} do not contain a valid baud rate</source>
         <translation>les réglages UART {0:#04x} ne désignent aucun débit</translation></message>
     <message><source>a TReX runs at {0} baud, not {1}</source>
         <translation>un TReX fonctionne à {0} bauds, et non {1}</translation></message>
-    <message><source>the number of stop bits must be 1 or 2, not {0}</source>
-        <translation>1 ou 2 bits d'arrêt, et non {0}</translation></message>
     <message><source>(twin)</source>
         <translation>(jumeau)</translation></message>
     <message><source>(inferred)</source>
@@ -2289,10 +2289,12 @@
         <translation>voie {0}</translation></message>
     <message><source>channels {0}</source>
         <translation>voies {0}</translation></message>
-    <message><source>none, or any of channels 1 to 5, such as 1, 3</source>
-        <translation>aucune, une ou plusieurs des voies 1 à 5, par exemple 1, 3</translation></message>
+    <message><source>{0} {1} has no parameter {2!r}{3}</source>
+        <translation>{0} {1} n'a pas de paramètre {2!r}{3}</translation></message>
     <message><source>{0} must be {1}, not {2}</source>
         <translation>{0} accepte {1}, et non {2}</translation></message>
+    <message><source>none, or any of channels 1 to 5, such as 1, 3</source>
+        <translation>aucune, une ou plusieurs des voies 1 à 5, par exemple 1, 3</translation></message>
     <message><source>any of 1 to 5</source>
         <translation>n'importe lesquelles de 1 à 5</translation></message>
     <message><source>baud, error detection, stop bits</source>
@@ -2301,8 +2303,6 @@
         <translation>un débit, une détection d'erreurs et des bits d'arrêt (quatre bits de poids faible de 0 à 10)</translation></message>
     <message><source>{0} to {1} (wire value {2} to {3})</source>
         <translation>{0} à {1} (valeur transmise : {2} à {3})</translation></message>
-    <message><source>{0} {1} has no parameter {2!r}{3}</source>
-        <translation>{0} {1} n'a pas de paramètre {2!r}{3}</translation></message>
     <message><source>the table has no parameter {0!r}</source>
         <translation>la table n'a pas de paramètre {0!r}</translation></message>
     <message><source> or </source>
@@ -2319,17 +2319,17 @@
         <translation>{0} (valeur transmise : {1} à {2})</translation></message>
     <message><source>{0} s to full speed</source>
         <translation>{0} s jusqu'à la pleine vitesse</translation></message>
+    <message><source>{0} bytes are too many: at most {1} can be sent at once.</source>
+        <translation>{0} octets, c'est trop : {1} au plus sont envoyés à la fois.</translation></message>
     <message><source>Enter bytes in hexadecimal, such as 86 1F.</source>
         <translation>Quels octets ? Donnez-les en hexadécimal, par exemple 86 1F.</translation></message>
     <message><source>device {0}: {1}</source>
         <translation>appareil {0} : {1}</translation></message>
     <message><source>not a TReX packet: {0}</source>
         <translation>ce n'est pas un paquet TReX : {0}</translation></message>
-    <message><source>{0} bytes are too many: at most {1} can be sent at once.</source>
-        <translation>{0} octets, c'est trop : {1} au plus sont envoyés à la fois.</translation></message>
     <message><source>“{0}” is not a sequence of hexadecimal bytes such as 86 1F.</source>
         <translation>« {0} » n'est pas une suite d'octets hexadécimaux comme 86 1F.</translation></message>
-    <message><source>No board is served to this user at {0}:{1}. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and the secret (TREX_SECRET).</source>
+    <message><source>No board is served to this user at {0}:{1}. Check that `trexcmd serve` runs there. Also check the user in the address (trex://USER@…) and the secret (TREX_SECRET).</source>
         <translation>Aucune carte n'est servie à {0}:{1}, ou pas à cet utilisateur. Vérifiez que trexcmd serve y fonctionne, l'utilisateur dans l'adresse (trex://USER@…) et son secret (TREX_SECRET).</translation></message>
     <message><source>The server cannot listen at {0}: {1}</source>
         <translation>Impossible d'écouter à {0} : {1}</translation></message>
@@ -2337,13 +2337,13 @@
         <translation>{0} ne sert aucune carte nommée {1} à cet utilisateur.</translation></message>
     <message><source>It did not respond.</source>
         <translation>Il n'a pas répondu.</translation></message>
-    <message><source>Network boards need more packages: install trex-gui[remote] with pip or pipx.</source>
+    <message><source>Boards on the network need additional packages: install trex-gui[remote] with pip or pipx.</source>
         <translation>Les cartes du réseau demandent d'autres paquets : installez trex-gui[remote] avec pip ou pipx.</translation></message>
     <message><source>unsolicited bytes</source>
         <translation>octets non sollicités</translation></message>
     <message><source>unsolicited bytes; perhaps a late reply</source>
         <translation>octets non sollicités ; peut-être une réponse tardive</translation></message>
-    <message><source>only its echo came back</source>
+    <message><source>only the echo came back</source>
         <translation>seul son écho est revenu</translation></message>
     <message><source>corrupted: {0}</source>
         <translation>altéré : {0}</translation></message>
@@ -2365,7 +2365,7 @@
         <translation>{0} étalonnages</translation></message>
     <message><source>a {0} with firmware {1}</source>
         <translation>un {0} avec le firmware {1}</translation></message>
-    <message><source>{0} ({1}) is left out: {2} does not have it.</source>
+    <message><source>{0} ({1}) is left out: {2} does not have this setting.</source>
         <translation>{0} ({1}) est omis : {2} ne l'a pas.</translation></message>
     <message><source>Calibration of {0}</source>
         <translation>Étalonnage de la {0}</translation></message>
@@ -2379,17 +2379,17 @@
         <translation>Le firmware {0} fonctionne en réalité à {1} bauds quand il est réglé à {2}.</translation></message>
     <message><source>Rounded down to steps of {0}: {1} becomes {2}.</source>
         <translation>Arrondi vers le bas par pas de {0} : {1} devient {2}.</translation></message>
-    <message><source>A {0} with firmware {1} does not have it.</source>
+    <message><source>A {0} with firmware {1} does not have this setting.</source>
         <translation>Un {0} avec le firmware {1} ne l'a pas.</translation></message>
-    <message><source>A {0} has at most {1}.</source>
+    <message><source>The maximum for a {0} is {1}.</source>
         <translation>Un {0} accepte au plus {1}.</translation></message>
-    <message><source>A {0} has at least {1}; 0 switches it off (twin).</source>
+    <message><source>The minimum for a {0} is {1}; 0 means off (twin).</source>
         <translation>Un {0} accepte au moins {1} ; 0 le désactive (jumeau).</translation></message>
     <message><source>The same value in steps of {0}: {1} becomes {2}.</source>
         <translation>La même valeur par pas de {0} : {1} devient {2}.</translation></message>
     <message><source>these are settings of a {0}</source>
         <translation>ce sont des réglages d'un {0}</translation></message>
-    <message><source>the layout of this file cannot be changed in place; save the settings as a new file</source>
+    <message><source>the layout of this file prevents changes in place; save the settings as a new file</source>
         <translation>ce fichier est écrit d'une façon qui ne permet pas de le modifier sur place ; enregistrez les réglages dans un nouveau fichier</translation></message>
     <message><source>{0} {1}: the number of snapshots to keep is unknown, so none is removed.</source>
         <translation>{0} {1} : le nombre d'instantanés à conserver n'est pas connu, aucun n'est donc supprimé.</translation></message>
@@ -2401,7 +2401,7 @@
         <translation>impossible à supprimer</translation></message>
     <message><source>is damaged</source>
         <translation>est endommagé</translation></message>
-    <message><source>A name cannot be a number like {0}, because snapshots have numbers.</source>
+    <message><source>A name cannot be a number like {0}, because numbers already identify snapshots.</source>
         <translation>{0} serait le numéro d'un instantané.</translation></message>
     <message><source>Another snapshot has the name {0}.</source>
         <translation>Un autre instantané s'appelle déjà {0}.</translation></message>
@@ -2413,49 +2413,49 @@
         <translation>{0} caractères au plus sont possibles.</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>est illisible ({0})</translation></message>
-    <message><source>All {0} device numbers are in {1}.</source>
+    <message><source>All {0} device numbers are already used in {1}.</source>
         <translation>Les {0} numéros d'appareil figurent tous dans {1}.</translation></message>
-    <message><source>Another program has changed {0}. Nothing was saved. Start again to continue it.</source>
+    <message><source>Another program has changed {0}. Nothing was saved. Start again to continue this record.</source>
         <translation>Un autre programme a modifié {0}. Rien n'a été enregistré. Recommencez pour le compléter.</translation></message>
     <message><source>{0} is not a record of boards. Select another file.</source>
         <translation>{0} n'est pas un registre de cartes. Choisissez un autre fichier.</translation></message>
     <message><source>{0} is damaged: {1}.</source>
         <translation>{0} est endommagé : {1}.</translation></message>
-    <message><source>the last line has no end; was the file cut short?</source>
+    <message><source>the last line has no line break; was the file cut short?</source>
         <translation>la dernière ligne n'a pas de fin ; le fichier a-t-il été tronqué ?</translation></message>
     <message><source>{count} more errors are not listed</source>
         <translation>{count} autres erreurs ne sont pas indiquées</translation></message>
-    <message><source>a name belongs before the colon, not a list or a group</source>
+    <message><source>there must be a name before the colon, not a list or a group</source>
         <translation>avant les deux-points, il faut un nom, pas une liste ni un groupe</translation></message>
-    <message><source>was given in line {first} already</source>
+    <message><source>was already given in line {first}</source>
         <translation>est déjà indiqué à la ligne {first}</translation></message>
-    <message><source>{name} was given in line {first} already</source>
+    <message><source>{name} was already given in line {first}</source>
         <translation>{name} est déjà indiqué à la ligne {first}</translation></message>
-    <message><source>the first setting is {wanted}; this file has none</source>
+    <message><source>the first setting must be {wanted}, but this file has no product</source>
         <translation>le premier réglage est {wanted} ; il manque dans ce fichier</translation></message>
     <message><source>must be the first setting of the file</source>
         <translation>doit être le premier réglage du fichier</translation></message>
-    <message><source>{models}, not {given}; did you mean {model}?</source>
+    <message><source>must be {models}, not {given}; did you mean {model}?</source>
         <translation>{models}, et non {given} ; vouliez-vous dire {model} ?</translation></message>
-    <message><source>{models}, not {given}; these are not settings of a TReX</source>
+    <message><source>must be {models}, not {given}; these are not settings of a TReX</source>
         <translation>{models}, et non {given} ; ce ne sont pas les réglages d'un TReX</translation></message>
-    <message><source>a version such as {newest}, not {given}</source>
+    <message><source>must be a version such as {newest}, not {given}</source>
         <translation>une version telle que {newest}, et non {given}</translation></message>
-    <message><source>versions {oldest} to {newest} are known, {given} is not</source>
+    <message><source>versions {oldest} to {newest} are known, but {given} is not</source>
         <translation>les versions {oldest} à {newest} sont connues, {given} ne l'est pas</translation></message>
     <message><source>is a command to the board, not a setting</source>
         <translation>est une commande à la carte, pas un réglage</translation></message>
-    <message><source>{allowed}, not {given}{hint}</source>
+    <message><source>must be {allowed}, not {given}{hint}</source>
         <translation>{allowed}, et non {given}{hint}</translation></message>
-    <message><source>{allowed}{grade}, not {given}; the board decides</source>
+    <message><source>should be {allowed}{grade}, not {given}; the board decides</source>
         <translation>{allowed}{grade}, et non {given} ; c'est la carte qui décide</translation></message>
-    <message><source>a {product} has it from firmware {since} on, these are for {firmware}</source>
+    <message><source>a {product} has this setting only from firmware {since} on, but the file is for {firmware}</source>
         <translation>un {product} l'a à partir du firmware {since}, ces réglages sont pour {firmware}</translation></message>
-    <message><source>a {product} does not have it, whatever its firmware</source>
+    <message><source>a {product} does not have this setting in any firmware</source>
         <translation>un {product} ne l'a pas, quel que soit son firmware</translation></message>
     <message><source>there is no such setting{guess}</source>
         <translation>ce réglage n'existe pas{guess}</translation></message>
-    <message><source>is written {layout}, not {given}</source>
+    <message><source>must be written as {layout}, not {given}</source>
         <translation>s'écrit {layout}, et non {given}</translation></message>
     <message><source>a calibration has no {field!r}{guess}</source>
         <translation>un étalonnage n'a pas de {field!r}{guess}</translation></message>
@@ -2481,7 +2481,7 @@
         <translation>un bloc de texte</translation></message>
     <message><source>; write {0}</source>
         <translation> ; écrivez {0}</translation></message>
-    <message><source>; {0} is written {1}</source>
+    <message><source>; write {1} for {0}</source>
         <translation> ; {0} s'écrit {1}</translation></message>
     <message><source>{0}: {1} becomes {2}</source>
         <translation>{0} : {1} devient {2}</translation></message>
@@ -2489,13 +2489,13 @@
         <translation>{0} entre guillemets</translation></message>
     <message><source>{name} is off while a computer drives the motors: if the cable or the computer fails, the motors keep running at their last setpoint.</source>
         <translation>{name} est désactivé alors qu'un ordinateur commande les moteurs : si le câble ou l'ordinateur tombe en panne, les moteurs continuent de tourner à leur dernière consigne.</translation></message>
-    <message><source>Both required and ignored: {channels}. The signal moves nothing, but without it the motors may not run in RC mode (inferred).</source>
+    <message><source>Both required and ignored: {channels}. The signal controls nothing, but without the signal the motors may not run in RC mode (inferred).</source>
         <translation>À la fois requis et ignoré : {channels}. Le signal ne fait rien bouger, mais sans lui les moteurs risquent de ne pas tourner en mode RC (déduit).</translation></message>
     <message><source>The {end} of {channel}, {count}, is beyond {limit}, the last count that the board measures: full speed on that side is never reached.</source>
         <translation>Le {end} de la {channel}, {count}, est au-delà de {limit}, la dernière valeur en counts que la carte mesure : la pleine vitesse n'est jamais atteinte de ce côté.</translation></message>
-    <message><source>After the next power cycle, the line settings of the board will be {new} instead of {now}. Programs that use the board must then use them, too.</source>
+    <message><source>After the next power cycle, the line settings of the board will be {new} instead of {now}. Programs that use the board must then use the new line settings.</source>
         <translation>Après la prochaine coupure et remise de l'alimentation, les réglages de liaison de la carte seront {new} ; ce sont actuellement {now}. Modifiez alors les programmes qui utilisent la carte.</translation></message>
-    <message><source>The prescaler {0} gives {1}.</source>
+    <message><source>Prescaler {0} gives {1}.</source>
         <translation>Le prédiviseur {0} donne {1}.</translation></message>
     <message><source>The deadband of {channel} reaches from neutral to its {ends}: there is nothing between standstill and full speed on that side.</source>
         <translation>La zone morte de la {channel} s'étend du neutre jusqu'au {ends} : il n'y a rien entre l'arrêt et la pleine vitesse de ce côté.</translation></message>
@@ -2511,13 +2511,13 @@
         <translation>{0} et {1}</translation></message>
     <message><source>{timeout} of {seconds} may not stop the motors if the cable or the computer fails: {shutdown} is off (twin).</source>
         <translation>{timeout} de {seconds} n'arrête peut-être pas les moteurs si le câble ou l'ordinateur tombe en panne : {shutdown} est désactivé (jumeau).</translation></message>
-    <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
+    <message><source>No effect in joint mode: {limits}. In this mode the board measures no current, so the motor is not protected.</source>
         <translation>Sans effet en mode jumelé : {limits}. La carte ne mesure alors aucun courant, le moteur n'est donc pas protégé.</translation></message>
-    <message><source>{limit} is {value}, but its proportionality constant P, which sets how strongly the limiter reacts, is 0. The limit may then have no effect (inferred).</source>
+    <message><source>{limit} is {value}, but its proportionality constant P, which sets how strongly the limiter reacts, is 0. Therefore, the limit may have no effect (inferred).</source>
         <translation>{limit} vaut {value}, mais sa constante de proportionnalité P, c'est-à-dire la force de réaction du limiteur, est à 0. La limite peut alors rester sans effet (déduit).</translation></message>
     <message><source>{limit} is {value} and {ramp} is 0, so the speed changes at once. As soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks (inferred).</source>
         <translation>{limit} vaut {value} et {ramp} est à 0, c'est-à-dire immédiat. Dès que le courant repasse sous la limite, le moteur revient d'un coup à sa pleine vitesse de consigne ; il peut donc tourner par à-coups (déduit).</translation></message>
-    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
+    <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}. Above this frequency, the driver gets hot.</source>
         <translation>Le PWM du moteur {motor} fonctionne à {now} (déduit), mais le driver de moteur d'un {product} est prévu pour {highest} ; au-delà, il chauffe.</translation></message>
     <message><source>{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no packet is checked with it.</source>
         <translation>{name} vaut {value} au lieu de la valeur par défaut {default}, mais CRC-7 n'est pas activé : aucun paquet n'est vérifié avec.</translation></message>
@@ -2535,7 +2535,7 @@
         <translation>les réglages sont de simples lignes « clé: valeur »</translation></message>
     <message><source>this is nested too deeply; {0}</source>
         <translation>l'imbrication est trop profonde ici ; {0}</translation></message>
-    <message><source>there are no settings here; the first is 'product: TReX'</source>
+    <message><source>there are no settings here; the first must be 'product: TReX'</source>
         <translation>il n'y a pas de réglages ici ; le premier est 'product: TReX'</translation></message>
     <message><source>these are not settings of a TReX, which begin with 'product: TReX'</source>
         <translation>ce ne sont pas les réglages d'un TReX, qui commencent par « product: TReX »</translation></message>
@@ -2543,11 +2543,11 @@
         <translation>une tabulation indente cette ligne ; indentez-la avec des espaces</translation></message>
     <message><source>this is not a setting; {0}</source>
         <translation>ceci n'est pas un réglage ; {0}</translation></message>
-    <message><source>the character U+{0:04X} has no place in a text file</source>
+    <message><source>the character U+{0:04X} is not allowed in a text file</source>
         <translation>le caractère U+{0:04X} n'a pas sa place dans un fichier texte</translation></message>
     <message><source>the text is incomplete or damaged here ({0}); {1}</source>
         <translation>le texte est incomplet ou endommagé ici ({0}) ; {1}</translation></message>
-    <message><source>type an ordinary space after the colon</source>
+    <message><source>there must be an ordinary space after the colon</source>
         <translation>tapez une espace ordinaire après les deux-points</translation></message>
     <message><source>a second document begins here; a settings file has only one</source>
         <translation>un second document commence ici ; un fichier de réglages n'en contient qu'un</translation></message>
@@ -3279,7 +3279,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Enregistrer une copie de l'instantané</translation></message>
     <message><source>&amp;History…</source>
         <translation>&amp;Historique…</translation></message>
-    <message><source>A copy was saved in {0}.</source>
+    <message><source>A copy was saved to {0}.</source>
         <translation>Une copie a été enregistrée dans {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Rien n'a été enregistré. {0}</translation></message>
@@ -3887,8 +3887,6 @@ avant {1}</translation></message>
         <translation>La carte est de retour et tous les réglages enregistrés sont actifs.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>J'ai &amp;coupé et remis l'alimentation</translation></message>
-    <message><source>Switch the board off and on.</source>
-        <translation>Il faut couper et remettre l'alimentation de la carte.</translation></message>
     <message><source>Switch off</source>
         <translation>Couper</translation></message>
     <message><source>Read again</source>
@@ -4499,9 +4497,9 @@ avant {1}</translation></message>
         <translation>Panneau &amp;Démo TReX</translation></message>
     <message><source>&amp;User's guide of the board (online)…</source>
         <translation>&amp;Guide d'utilisation de la carte (en ligne)…</translation></message>
-    <message><source>Gamepads need one more package. Install it with {0}, then switch this on again.</source>
+    <message><source>Gamepads need one more package. Install the package with {0}, then switch Gamepad on again.</source>
         <translation>Les manettes nécessitent un paquet supplémentaire. Installez-le avec {0}, puis réactivez cette option.</translation></message>
-    <message><source>Gamepads cannot be read here: {0}.</source>
+    <message><source>Gamepads cannot be read on this computer: {0}.</source>
         <translation>Les manettes ne peuvent pas être lues ici : {0}.</translation></message>
     <message><source>The program was suspended (Ctrl-Z)</source>
         <translation>Le programme a été suspendu (Ctrl-Z)</translation></message>
@@ -4509,7 +4507,7 @@ avant {1}</translation></message>
         <translation>Erreur interne ({0})</translation></message>
     <message><source>The computer was asleep</source>
         <translation>L'ordinateur était en veille</translation></message>
-    <message><source>Motors that can be stopped are stopped before the computer sleeps</source>
+    <message><source>Stopping the motors before the computer sleeps</source>
         <translation>Les moteurs qui peuvent être arrêtés le sont avant la mise en veille de l'ordinateur</translation></message>
     <message><source>The screen was locked</source>
         <translation>L'écran a été verrouillé</translation></message>
@@ -4561,13 +4559,13 @@ avant {1}</translation></message>
         <translation>Aucune carte n'a été trouvée.</translation></message>
     <message><source>Opening {0} …</source>
         <translation>Ouverture de {0} …</translation></message>
-    <message><source>No reply on {0}. Other devices share the line: nothing else was tried.</source>
+    <message><source>No reply on {0}. No other settings were tried, because other devices share the line.</source>
         <translation>Pas de réponse sur {0}. D'autres appareils partagent la liaison : rien d'autre n'a été essayé.</translation></message>
     <message><source>{0} with device number {1}</source>
         <translation>{0} avec le numéro d'appareil {1}</translation></message>
     <message><source>the Demo {0}</source>
         <translation>la démo {0}</translation></message>
-    <message><source>The simulator does not start. Reinstall the program.</source>
+    <message><source>The simulator could not be started. Reinstall the program.</source>
         <translation>Le simulateur ne démarre pas. Réinstallez le programme.</translation></message>
     <message><source>The simulator exited immediately. {0}</source>
         <translation>Le simulateur s'est terminé aussitôt. {0}</translation></message>
@@ -4575,7 +4573,7 @@ avant {1}</translation></message>
         <translation>&amp;Annuler : {0}</translation></message>
     <message><source>&amp;Redo {0}</source>
         <translation>&amp;Rétablir : {0}</translation></message>
-    <message><source>Show the help on the message in the line with the cursor</source>
+    <message><source>Show help for the message at the cursor</source>
         <translation>Afficher l'aide sur le message de la ligne où se trouve le curseur</translation></message>
     <message><source>Search (Ctrl+F)</source>
         <translation>Rechercher (Ctrl+F)</translation></message>
@@ -4601,7 +4599,7 @@ avant {1}</translation></message>
         <translation>&amp;Trafic</translation></message>
     <message><source>{0} of {1} shown</source>
         <translation>{0} sur {1} affichées</translation></message>
-    <message><source>Round trips of the last minute: up to {0:.0f} ms</source>
+    <message><source>Round trips in the last minute: up to {0:.0f} ms</source>
         <translation>Temps de réponse de la dernière minute : jusqu'à {0:.0f} ms</translation></message>
     <message><source>Nothing has gone wrong since {0:%H:%M}.</source>
         <translation>Aucun problème depuis {0:%H:%M}.</translation></message>
@@ -4619,7 +4617,7 @@ avant {1}</translation></message>
         <translation>Montrer</translation></message>
     <message><source>C&amp;lear</source>
         <translation>&amp;Effacer</translation></message>
-    <message><source>pictures cannot be written without a file extension such as .png</source>
+    <message><source>the name of a picture needs a file extension such as .png</source>
         <translation>les images doivent avoir une extension telle que .png</translation></message>
     <message><source>pictures cannot be written as {0}</source>
         <translation>les images ne peuvent pas être écrites au format {0}</translation></message>
@@ -4657,7 +4655,7 @@ avant {1}</translation></message>
         <translation>{0} n'a pas été ouvert : ce type n'est pas pris en charge. Pris en charge : {1}.</translation></message>
     <message><source>Recent &amp;files</source>
         <translation>&amp;Fichiers récents</translation></message>
-    <message><source>{0} files were dropped, and none was opened: drop one file at a time.</source>
+    <message><source>None of the {0} dropped files was opened. Drop one file at a time.</source>
         <translation>{0} fichiers ont été déposés et aucun n'a été ouvert : déposez-en un à la fois.</translation></message>
     <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
         <translation>{0} est {1}. Il n'a pas été ouvert, car cette fenêtre est connectée à {2} : déconnectez, puis ouvrez-le à nouveau.</translation></message>
@@ -4669,7 +4667,7 @@ avant {1}</translation></message>
         <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Un TReX ou un Aracna ne fait alors bouger aucun moteur et ne change aucun réglage. D'autres appareils sur la liaison le peuvent : entrez d'abord leurs numéros dans les réglages de liaison. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Les réglages probables viennent d'abord ; un port sans réponse demande environ une demi-minute.</translation></message>
-    <message><source>&amp;Full search: also every CRC polynomial and every device number (some minutes)</source>
+    <message><source>&amp;Full search: also try every CRC polynomial and every device number (takes a few minutes)</source>
         <translation>Recherche &amp;complète : aussi chaque polynôme CRC et chaque numéro d'appareil (quelques minutes)</translation></message>
     <message><source>C&amp;ancel</source>
         <translation>&amp;Annuler</translation></message>
@@ -4681,13 +4679,13 @@ avant {1}</translation></message>
         <translation>{0} est connecté à cette fenêtre et n'est donc pas exploré.</translation></message>
     <message><source>Found devices</source>
         <translation>Appareils trouvés</translation></message>
-    <message><source>What the LEDs mean, the wires, and how to restore serial settings</source>
+    <message><source>What the LEDs mean, how to wire the board, and how to restore serial settings</source>
         <translation>La signification des LED, le câblage et comment restaurer les réglages série</translation></message>
     <message><source>Copy command</source>
         <translation>Copier la commande</translation></message>
     <message><source>Search &amp;on:</source>
         <translation>&amp;Rechercher sur :</translation></message>
-    <message><source>This computer has no serial ports. Plug an adapter in.</source>
+    <message><source>This computer has no serial ports. Plug in an adapter.</source>
         <translation>Cet ordinateur n'a pas de port série. Branchez un adaptateur.</translation></message>
     <message><source>Connect to {0}</source>
         <translation>Connecter à {0}</translation></message>
@@ -4733,15 +4731,15 @@ avant {1}</translation></message>
         <translation>Taille de &amp;police :</translation></message>
     <message><source>&amp;Language:</source>
         <translation>&amp;Langue :</translation></message>
-    <message><source>Takes effect when the program starts again</source>
+    <message><source>Takes effect the next time the program starts</source>
         <translation>Prend effet au prochain démarrage du programme</translation></message>
     <message><source>&amp;Units:</source>
         <translation>&amp;Unités :</translation></message>
-    <message><source>What is shown first, and what a number typed without a unit means</source>
+    <message><source>Determines which unit is shown first, and which unit applies to a number typed without one</source>
         <translation>Ce qui est affiché en premier, et ce que signifie un nombre tapé sans unité</translation></message>
     <message><source>Connect to known boards automat&amp;ically</source>
         <translation>Connecter &amp;automatiquement les cartes connues</translation></message>
-    <message><source>When the program starts, and when a known adapter is plugged in, if exactly one board responds. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
+    <message><source>The program connects when it starts or when a known adapter is plugged in, if exactly one board responds. It does not connect after Disconnect or while another program uses the port. No motor moves.</source>
         <translation>Au démarrage du programme et au branchement d'un adaptateur où une carte a déjà été trouvée, si une seule carte répond. Pas après « Déconnecter », ni tant qu'un autre programme utilise le port. Aucun moteur ne bouge.</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
@@ -4777,7 +4775,7 @@ avant {1}</translation></message>
         <translation>Une carte simulée : rien ne peut être endommagé</translation></message>
     <message><source>What is plugged in</source>
         <translation>Ce qui est branché</translation></message>
-    <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
+    <message><source>No serial port was found. Plug in the adapter, and it will be listed here at once.</source>
         <translation>Aucun port série n'a été trouvé. Branchez l'adaptateur : il apparaît ici aussitôt.</translation></message>
     <message><source>No response?</source>
         <translation>Pas de réponse ?</translation></message>
@@ -4787,9 +4785,9 @@ avant {1}</translation></message>
         <translation>Fermer la fenêtre</translation></message>
     <message><source>Pages of the help</source>
         <translation>Pages de l'aide</translation></message>
-    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor is still turning, cut its power.</source>
+    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, but the board did not confirm the stop. If a motor is still turning, cut its power.</source>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien a envoyé à {0} un ordre d'arrêt que la carte n'a pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
-    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
+    <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed the stop.</source>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien les a arrêtés à {0} et la carte l'a confirmé.</translation></message>
     <message><source>TReX Studio did not end properly last time. If it crashed, the support report shows where.</source>
         <translation>TReX Studio ne s'est pas terminé correctement la dernière fois. S'il a planté, un rapport d'assistance indique où.</translation></message>
@@ -4821,7 +4819,7 @@ avant {1}</translation></message>
         <translation>Afficher de nouveau tout l'enregistrement</translation></message>
     <message><source>Save every sample in the plot as CSV or MCAP</source>
         <translation>Enregistrer chaque échantillon du graphique en CSV ou MCAP</translation></message>
-    <message><source>Save a copy, since old recordings of faults and stops are removed</source>
+    <message><source>Save a copy, because old recordings of faults and stops are removed automatically</source>
         <translation>Conserver cet enregistrement : les plus anciens enregistrements de défauts et d'arrêts sont supprimés</translation></message>
     <message><source>Stop loading or exporting</source>
         <translation>Arrêter le chargement ou l'exportation</translation></message>
@@ -4847,7 +4845,7 @@ avant {1}</translation></message>
         <translation>{0}, enregistré {1}</translation></message>
     <message><source>{0} – recording</source>
         <translation>{0} – enregistrement</translation></message>
-    <message><source>The span was saved in {0}.</source>
+    <message><source>The span was saved to {0}.</source>
         <translation>La plage a été enregistrée dans {0}.</translation></message>
     <message><source>{0}, {1} long</source>
         <translation>{0}, durée {1}</translation></message>
@@ -4907,7 +4905,7 @@ avant {1}</translation></message>
         <translation>En choisir un montre sa place dans le graphique.</translation></message>
     <message><source>Curves and their figures</source>
         <translation>Courbes et leurs valeurs</translation></message>
-    <message><source>No events yet. Stops, Apply, faults and limits will be listed here.</source>
+    <message><source>No events yet. Stops, applied settings, faults and exceeded limits will be listed here.</source>
         <translation>Aucun événement pour l'instant. Les arrêts, les réglages appliqués, les défauts et les limites apparaîtront ici.</translation></message>
     <message><source>Select the curves to draw</source>
         <translation>Sélectionner les courbes à tracer</translation></message>
@@ -4923,7 +4921,7 @@ avant {1}</translation></message>
         <translation>Curseur</translation></message>
     <message><source>To mark</source>
         <translation>Δ repère</translation></message>
-    <message><source>From the mark to the cursor; click the plot or press M to set the mark</source>
+    <message><source>Difference between the mark and the cursor; click the plot or press M to set the mark</source>
         <translation>Du repère au curseur ; cliquez dans le graphique ou appuyez sur M pour le placer</translation></message>
     <message><source>Held</source>
         <translation>Tenue</translation></message>
@@ -4961,7 +4959,7 @@ avant {1}</translation></message>
         <translation>Rose</translation></message>
     <message><source>Grey</source>
         <translation>Gris</translation></message>
-    <message><source>As text</source>
+    <message><source>Text colour</source>
         <translation>Comme le texte</translation></message>
     <message><source>A fixed range keeps plots comparable; peaks above it are cut off</source>
         <translation>Une plage fixe permet de comparer les graphiques ; les crêtes au-dessus sont tronquées</translation></message>
@@ -4985,11 +4983,11 @@ avant {1}</translation></message>
         <translation>automatique</translation></message>
     <message><source>Ran&amp;ge</source>
         <translation>Pla&amp;ge</translation></message>
-    <message><source>Keep the highest value of each curve from now on, as a line and a figure</source>
+    <message><source>From now on, show the highest value of each curve as a line and in the table</source>
         <translation>Garder à partir de maintenant la valeur la plus élevée de chaque courbe, sous forme de trait et de valeur</translation></message>
     <message><source>Back to li&amp;ve</source>
         <translation>Re&amp;venir au direct</translation></message>
-    <message><source>Left and Right move the cursor, with Shift in large steps; its values are read out here. M sets a mark, plus and minus zoom, L goes back to live.</source>
+    <message><source>Left and Right move the cursor, with Shift in large steps. The values at the cursor are read out here. M sets a mark, Plus and Minus zoom, and L returns to the live view.</source>
         <translation>Gauche et Droite déplacent le curseur, par grands pas avec Maj ; ses valeurs sont annoncées ici. M place un repère, plus et moins zooment, L revient au direct.</translation></message>
     <message><source>Plot of currents and speeds against time</source>
         <translation>Graphique des courants et des vitesses en fonction du temps</translation></message>
@@ -5041,7 +5039,7 @@ avant {1}</translation></message>
         <translation>événements perdus : {0}</translation></message>
     <message><source>Send &amp;bytes</source>
         <translation>En&amp;voyer les octets</translation></message>
-    <message><source>Send these bytes as they are (Enter)</source>
+    <message><source>Send these bytes unchanged (Enter)</source>
         <translation>Envoyer ces octets tels quels (Entrée)</translation></message>
     <message><source>Bytes t&amp;o send:</source>
         <translation>&amp;Octets à envoyer :</translation></message>

@@ -86,7 +86,8 @@ def test_line_settings_apply_once_they_are_accepted(window: WindowDriver) -> Non
     assert not dialog.is_enabled("addressedBox")
     dialog.find(QSpinBox, "deviceNumberField").setValue(30)
     QTest.keyClick(dialog.root, Qt.Key.Key_Return)
-    assert dialog.text("lineClash") == "The board needs a number that no other device has."
+    clash = "The board needs a device number that no other device on the line has."
+    assert dialog.text("lineClash") == clash
     assert not controller.settings.reserved
     dialog.find(QSpinBox, "deviceNumberField").setValue(7)
     QTest.keyClick(dialog.root, Qt.Key.Key_Return)

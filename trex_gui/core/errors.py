@@ -40,22 +40,24 @@ class PortFault(Enum):
     UNREACHABLE = tr_noop("The port {0} cannot be reached: {1}.")
     MISSING = tr_noop("There is no port {0}. Ports of this computer: {1}.")
     LOCKED = tr_noop(
-        "{0} is in use by another program, or locked by its driver; for up to 5 seconds after a "
-        "crash also by the guardian process that stops the motors."
+        "{0} is in use by another program or locked by its driver. After a crash, the "
+        "guardian process also uses it for up to 5 seconds to stop the motors. Close the "
+        "other program or wait, then connect again."
     )
     LEFT_RUNNING = tr_noop(
-        "Motors may still be turning: no stop of the {0} at {1}, driven since {2}, is confirmed. "
-        "Stop them, or cut their power."
+        "Motors may still be turning: no stop has been confirmed for the {0} at {1}, driven "
+        "since {2}. Stop the motors, or cut their power."
     )
     LEFT_UNKNOWN = tr_noop(
-        "Motors may still be turning: {0} says that a board was left running, but it is damaged "
-        "and does not say which. If a motor turns, cut its power; then delete the file."
+        "Motors may still be turning: the file {0} shows that a board was left running, but "
+        "the file is damaged and does not identify the board. If a motor is turning, cut its "
+        "power. Then delete the file."
     )
     GUARDED = tr_noop(
-        "The guardian process is still stopping the motors on {0}, which takes up to 5 seconds. "
-        "Then connect again."
+        "The guardian process is still stopping the motors on {0}. Wait up to 5 seconds, "
+        "then connect again."
     )
-    IN_USE = tr_noop("{0} is in use by {1}. Close it there, then connect again.")
+    IN_USE = tr_noop("{0} is in use by {1}. Close the port there, then connect again.")
     NOT_SETTABLE = tr_noop("The port {0} cannot be set to {1} ({2}).")
     NOT_OPEN = tr_noop("The port {0} cannot be opened: {1}.")
     SHARED = tr_noop(

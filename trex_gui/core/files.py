@@ -235,7 +235,7 @@ def decode(data: bytes, name: str) -> str:
     has_mark = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     halves = data[:200:2], data[1:200:2]
     if has_mark or (len(data) > 3 and any(half and not half.strip(b"\0") for half in halves)):
-        message = tr("this is UTF-16 text, as PowerShell writes it with >; save it as UTF-8")
+        message = tr("this is UTF-16 text, as PowerShell writes with >; save the file as UTF-8")
     elif position < 0:
         try:
             return data.decode("utf-8").removeprefix("\ufeff")

@@ -93,7 +93,7 @@ class SdlPads:
                 pygame.joystick.init()
             except pygame.error as error:
                 raise GamepadUnavailable(
-                    tr("Gamepads cannot be read here: {0}.").format(error)
+                    tr("Gamepads cannot be read on this computer: {0}.").format(error)
                 ) from error
         self._pygame = pygame
 
@@ -158,7 +158,8 @@ def _load() -> ModuleType:
     except ImportError as error:
         raise GamepadUnavailable(
             tr(
-                "Gamepads need one more package. Install it with {0}, then switch this on again."
+                "Gamepads need one more package. Install the package with {0}, then switch "
+                "Gamepad on again."
             ).format(install_command("pygame-ce"))
         ) from error
     return pygame

@@ -111,7 +111,7 @@ class SleepDelay(QObject):
         if self.is_active or self._request is not None or not self._bus.isConnected():
             return
         call = QDBusMessage.createMethodCall(_LOGIN, _PATH, f"{_LOGIN}.Manager", "Inhibit")
-        why = tr("Motors that can be stopped are stopped before the computer sleeps")
+        why = tr("Stopping the motors before the computer sleeps")
         call.setArguments(["sleep", "TReX Studio", why, "delay"])
         call.setAutoStartService(False)
         self._request = QDBusPendingCallWatcher(self._bus.asyncCall(call), self)

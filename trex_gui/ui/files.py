@@ -135,7 +135,7 @@ def write_text(
     except OSError as error:
         reason = error.strerror or str(error)
         raise RecordingError(
-            path.name, tr("It cannot be written: {0}.").format(reason.rstrip("."))
+            path.name, tr("The file cannot be written: {0}.").format(reason.rstrip("."))
         ) from error
 
 
@@ -147,7 +147,7 @@ def save_picture(path: Path, image: QImage) -> None:
     """
     kind, buffer = path.suffix.removeprefix("."), QBuffer()
     if not QImageWriter(buffer, kind.encode()).write(image):
-        message = tr("pictures cannot be written without a file extension such as .png")
+        message = tr("the name of a picture needs a file extension such as .png")
         if kind:
             message = tr("pictures cannot be written as {0}").format(kind)
         raise SettingsError.of(path, message)

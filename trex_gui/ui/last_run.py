@@ -17,11 +17,12 @@ _SEEN = "guardian/seen"
 _STOPS = {
     StopResult.UNCONFIRMED: tr_noop(
         "The program could not stop the motors itself. The guardian process sent a stop at "
-        "{0}, which the board did not confirm. If a motor is still turning, cut its power."
+        "{0}, but the board did not confirm the stop. If a motor is still turning, cut its "
+        "power."
     ),
     StopResult.CONFIRMED: tr_noop(
-        "The program could not stop the motors itself. The guardian process stopped them at {0}, "
-        "and the board confirmed that."
+        "The program could not stop the motors itself. The guardian process stopped them at "
+        "{0}, and the board confirmed the stop."
     ),
 }
 

@@ -154,7 +154,7 @@ def test_echo_does_not_count_as_reply(sent: bytes) -> None:
     row.is_over = True
     words = TrexDecoder().decoded(row)
     assert words.is_fault
-    assert words.text.endswith("only its echo came back")
+    assert words.text.endswith("only the echo came back")
     whole = [
         TrafficEvent(2.0, TrafficDirection.SENT, sent),
         TrafficEvent(2.1, TrafficDirection.RECEIVED, sent),

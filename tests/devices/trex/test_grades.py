@@ -15,7 +15,7 @@ FACTS = {
     "halfway between neutral and": "(inferred)",
     r"(above|below) about \{0\}": "(inferred)",
     "may be holding the motors|safe-start may hold": "(inferred)",
-    r"until it is within about \{2\}": "(inferred)",
+    r"until the channel is within about \{2\}": "(inferred)",
     "limit may have no effect|limiter does nothing": "(inferred)",
     "jumps back to (its )?full": "(inferred)",
     "PWM of motor .* runs at": "(inferred)",

@@ -131,7 +131,7 @@ def test_translated_message_leads_to_its_section(qtbot: QtBot, qapp: QApplicatio
     assert QCoreApplication.installTranslator(translator)
     try:
         text = error_sentence(TrexError(ErrorCode.OVERTAKEN_BY_STOP))
-        assert text == "A STOP CAME FIRST; NOTHING WAS SENT."
+        assert text == "NOTHING WAS SENT, BECAUSE A STOP WAS REQUESTED FIRST."
         assert topic(text) == "messages.md#a-stop-came-first"
     finally:
         QCoreApplication.removeTranslator(translator)

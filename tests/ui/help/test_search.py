@@ -58,6 +58,9 @@ def test_pasted_message_finds_its_section_first(window: WindowDriver) -> None:
     for message, title in (
         ("Serial Timeout: the board rejects this value (code 2)", "The board rejects this value"),
         ("A TReX responds on X with CRC polynomial 0x89, but this connection uses 0x8B.", "A … r"),
-        ("A stop came first; nothing was sent.", "A stop came first"),
+        (
+            "Nothing was sent, because a stop was requested first.",
+            "Nothing was sent, because a stop",
+        ),
     ):
         assert index.find(message)[0].title.startswith(title)

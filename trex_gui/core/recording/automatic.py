@@ -12,7 +12,7 @@ from trex_gui.core.translation import tr_noop
 MAX_FILES = 50  # about 10 MB
 MAX_BYTES = 100 * 1024 * 1024
 
-_NOT_USED = tr_noop("It cannot be used: {0}.")
+_NOT_USED = tr_noop("The folder cannot be used: {0}.")
 _NAME = re.compile(r"\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d\.\d{3}_[a-z-]+" + re.escape(SUFFIX))
 
 

@@ -50,10 +50,10 @@ _LATEST_CLOCK = 1e10  # seconds: about three hundred years
 _EARLIEST_S = -3600.0  # earliest time of a record, in seconds from the start
 _LATEST_S = 200 * 86400.0  # latest time of a record, in seconds from the start
 _NOT_A_RECORDING = tr_noop("This is not a TReX Studio recording.")
-NOT_WRITTEN = tr_noop("It cannot be written: {0}.")
-_NOT_OPENED = tr_noop("It cannot be opened: {0}.")
-_NOT_READ = tr_noop("It cannot be read: {0}.")
-_DAMAGED = tr_noop("It is damaged: {0}.")
+NOT_WRITTEN = tr_noop("The file cannot be written: {0}.")
+_NOT_OPENED = tr_noop("The file cannot be opened: {0}.")
+_NOT_READ = tr_noop("The file cannot be read: {0}.")
+_DAMAGED = tr_noop("The file is damaged: {0}.")
 _ENDED = "ended_utc_s"
 
 _Content = tuple[str, bool]  # SQL type of a column, and True if the column may be NULL
@@ -243,7 +243,7 @@ class Recording(Generic[HeaderT, RecordT]):
             raise self._error(
                 tr(
                     "A CSV file is an export and cannot be opened as a recording. Open the "
-                    "recording ({0}) that it was exported from."
+                    "original recording ({0})."
                 ).format(SUFFIX)
             )
         with reported(path, _NOT_OPENED), open_ordinary(path) as file:
@@ -283,7 +283,9 @@ class Recording(Generic[HeaderT, RecordT]):
                 for part in (path, log):
                     shutil.copyfile(part, copy / part.name)
                 yield f"{(copy / path.name).as_uri()}?mode=ro"
-            self.problems.append(tr("Its log cannot be read: the last samples are missing."))
+            self.problems.append(
+                tr("The log of the recording cannot be read, so the last samples are missing.")
+            )
         yield f"{path.as_uri()}?immutable=1"
 
     def _connect(self) -> sqlite3.Connection:
@@ -305,7 +307,8 @@ class Recording(Generic[HeaderT, RecordT]):
                 database.close()
                 if error.sqlite_errorcode == sqlite3.SQLITE_BUSY:
                     message = tr(
-                        "It is still being recorded. End the recording, then open it again."
+                        "The recording is still running. End the recording, then open the "
+                        "file again."
                     )
                     raise self._error(message) from error
                 reason = reason_of(error)
@@ -325,8 +328,8 @@ class Recording(Generic[HeaderT, RecordT]):
         if version != SCHEMA_VERSION:
             raise self._error(
                 tr(
-                    "Its format, {0}, is unknown. A later version of TReX Studio may be able "
-                    "to open it."
+                    "The format of the file ({0}) is unknown. A later version of TReX Studio "
+                    "may be able to open the file."
                 ).format(version)
             )
         values = dict(
@@ -347,8 +350,8 @@ class Recording(Generic[HeaderT, RecordT]):
         if _ENDED not in values:
             self.problems.append(
                 tr(
-                    "The recording was not closed properly; samples of the last seconds may "
-                    "be missing."
+                    "The recording was not closed properly. Samples from the last seconds "
+                    "may be missing."
                 )
             )
         header = self.format.read_header(values)
@@ -384,7 +387,9 @@ class Recording(Generic[HeaderT, RecordT]):
             for _, name, *_, hidden in info:
                 if hidden and name in stored:  # an expression could produce any amount of data
                     column = f"{kind.name}.{name}"
-                    raise self._error(tr("The column {0} is computed.").format(column))
+                    raise self._error(
+                        tr("The column {0} is computed, but it must be stored.").format(column)
+                    )
             # Without this key, a search for records would be slow.
             if [row[1:3] for row in info if row[5]] != [("record", "INTEGER")]:
                 message = tr("The column {0} is not the key of its table.")
@@ -449,7 +454,7 @@ class Recording(Generic[HeaderT, RecordT]):
             if _EARLIEST_S <= row[1] - self.header.clock <= _LATEST_S:
                 yield row
             else:
-                self._report_damaged(row[0], tr("its time is not in the recording"))
+                self._report_damaged(row[0], tr("its time is outside the recording"))
 
     def _select(self, kind: SampleKind, names: str, first: int, last: int) -> list[tuple[Any, ...]]:
         query = f"SELECT {names} FROM {kind.name} WHERE record BETWEEN ? AND ? ORDER BY record"
@@ -459,7 +464,7 @@ class Recording(Generic[HeaderT, RecordT]):
             raise self._error(tr(_NOT_READ).format(error)) from error
         except (sqlite3.Error, UnicodeError) as error:
             self._report(
-                tr("Samples of {0} between records {1} and {2} are lost: {3}.").format(
+                tr("Samples of the kind {0} between records {1} and {2} are lost: {3}.").format(
                     kind.name, first, last, error
                 )
             )
@@ -479,7 +484,7 @@ def _wrong_type(columns: Mapping[str, _Content], types: Sequence[type]) -> str:
         return tr("its time is not a number")
     for (name, (type_name, is_optional)), actual in zip(columns.items(), values, strict=True):
         if actual is not _TYPES[type_name] and not (is_optional and actual is NoneType):
-            return tr("{0} is not {1}").format(name, type_name)
+            return tr("{0} is not of type {1}").format(name, type_name)
     return ""
 
 

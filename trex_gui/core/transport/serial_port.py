@@ -436,8 +436,13 @@ def _permission_remedy(url: str) -> tuple[str, str]:
         group = "dialout"
     until_unplugged = shlex.join(("sudo", "chmod", "a+rw", url))
     if group == "root":
-        text = tr("It belongs to root; this command grants access until the port is unplugged: {0}")
+        text = tr(
+            "The port belongs to root. This command grants access until the port is unplugged: {0}"
+        )
         return until_unplugged, text.format(until_unplugged)
     command = f"sudo usermod -aG {group} $USER"
-    text = tr("Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).")
+    text = tr(
+        "Join the group of the port with this command, then log out and log in again: "
+        "{0} (or grant access until the port is unplugged: {1})."
+    )
     return command, text.format(command, until_unplugged)

@@ -133,9 +133,7 @@ def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[Transcri
     lines = text.removesuffix("\n").replace("\r\n", "\n").split("\n")
     first = next((index for index, line in enumerate(lines) if not line.startswith("#")), 0)
     if tuple(lines[first].split("\t"))[: len(COLUMNS)] != COLUMNS:
-        message = tr(
-            "this is not a traffic log, as written by the Traffic page and by trexcmd --traffic"
-        )
+        message = tr("this is not a traffic log from the Traffic page or from trexcmd --traffic")
         raise SettingsError.of(name, message)
     for number, line in enumerate(lines[first + 1 :], first + 2):
         cells = line.split("\t")

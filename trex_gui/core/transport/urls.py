@@ -35,7 +35,9 @@ class Address:
     def of(cls, url: str) -> "Address":
         """Parse the URL of a board. Raises BadRequest."""
         if (address := cls._read(url)) is None or not is_name(address.name):
-            text = tr("{0} is not trex://host/name, such as trex://robot.local/arm.")
+            text = tr(
+                "{0} does not have the form trex://host/name, such as trex://robot.local/arm."
+            )
             raise BadRequest(text.format(url))
         return address
 
@@ -44,7 +46,7 @@ class Address:
         """Parse `USER@HOST:PORT` or a URL. Raises BadRequest."""
         address = cls._read(text if "://" in text else f"{SCHEME}://{text}")
         if address is None:
-            raise BadRequest(tr("{0} is not a host, such as robot.local.").format(text))
+            raise BadRequest(tr("{0} is not the name of a host, such as robot.local.").format(text))
         return address
 
     @classmethod
@@ -89,7 +91,10 @@ def _secrets() -> Iterator[tuple[str, str]]:
     if not path.exists():
         return
     if sys.platform != "win32" and path.stat().st_mode & (stat.S_IRWXG | stat.S_IRWXO):
-        text = tr("Other users of this computer can read the secrets: chmod 600 “{0}”.")
+        text = tr(
+            "Other users of this computer can read your secrets. Prevent this with the "
+            "command: chmod 600 “{0}”"
+        )
         raise BadRequest(text.format(path))
     lines = path.read_text("utf-8", errors="replace").splitlines()
     for words in (line.split(maxsplit=1) for line in lines):
@@ -132,7 +137,7 @@ def url_problem(url: str) -> str:
     except ValueError:  # not a number, or not a valid port number
         is_complete = False
     if scheme in {"socket", "rfc2217"} and not is_complete:
-        return tr("{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.").format(
-            url, scheme
-        )
+        return tr(
+            "{0} does not have the form {1}://host:port, such as {1}://192.168.1.20:2217."
+        ).format(url, scheme)
     return ""

@@ -268,9 +268,9 @@ class TrexProber:
         evidence, text = self._evidence()
         if self._skipped:
             rates = sorted({line.baud for line in self._skipped})
-            text += tr(" The port cannot be set to {0} baud, so nothing was probed there.").format(
-                ", ".join(map(str, rates))
-            )
+            text += tr(
+                " The port does not support {0} baud, so the scan skipped these settings."
+            ).format(", ".join(map(str, rates)))
         return Diagnosis(evidence, text)
 
     def _evidence(self) -> tuple[Evidence, str]:
@@ -291,11 +291,10 @@ class TrexProber:
                 "network, so only that rate could be tried, without parity and without CRC."
             ).format(url)
         return Evidence.SILENCE, tr(
-            "No TReX responds on {0} at any baud rate, with any parity or with CRC. "
-            "Check that the board has power (an LED is lit), that the adapter's TX "
-            "goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that"
-            " ground is connected. A board with a custom CRC polynomial is only found"
-            " by the full scan."
+            "No TReX responds on {0} at any baud rate, with any parity or with CRC. Check "
+            "that the board has power (an LED is lit), that the adapter's TX goes to SI and "
+            "its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. "
+            "Only the full scan finds a board with a custom CRC polynomial."
         ).format(url)
 
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
@@ -304,8 +303,8 @@ class TrexProber:
         other_count = len(self._strange) - 1
         others = tr(", and data at {0} other settings").format(other_count) if other_count else ""
         text = tr(
-            "Something is connected to {0}, but it does not respond like a TReX: it "
-            "sent {1} at {2}{3}. It is another device, or the line is noisy."
+            "Something is connected to {0}, but it does not respond like a TReX: it sent {1} "
+            "at {2}{3}. Either it is another device, or the line is noisy."
         ).format(url, quoted, line.text(), others)
         if self.echo:
             text += tr(" It also echoes what is sent.")
@@ -322,7 +321,8 @@ def _line_hint(used: LineSettings, signature: Signature, wire_value: int) -> str
     real = stored.real_baud(signature.firmware)
     if real != stored.baud and real == used.baud:
         return tr(
-            "It is set to {0} baud, but firmware {1} then runs at half that rate: connect at {2}."
+            "It is set to {0} baud, but with this setting, firmware {1} runs at half the "
+            "rate: connect at {2} baud."
         ).format(stored.baud, signature.firmware, used.baud)
     if replace(stored, stop_bits=used.stop_bits) == used:
         return tr("It is set to {0} stop bits; either number works on this line.").format(

@@ -213,7 +213,10 @@ class DeviceScanner(QObject):
             )
         elif not result.cancelled and not self._only_recall:
             command = result.error.command if isinstance(result.error, PortUnavailable) else ""
-            text = tr("No reply on {0}. Other devices share the line: nothing else was tried.")
+            text = tr(
+                "No reply on {0}. No other settings were tried, because other devices "
+                "share the line."
+            )
             lines = result.lines or [text.format(_name(port))]
             self.findings += (ScanFinding(port, "\n\n".join(lines), command=command),)
         self.changed.emit()

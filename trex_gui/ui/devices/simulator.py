@@ -96,7 +96,7 @@ class Simulator(QObject):
     @Slot(QProcess.ProcessError)
     def _on_error(self, error: QProcess.ProcessError) -> None:
         if error is QProcess.ProcessError.FailedToStart:
-            self.failed.emit(tr("The simulator does not start. Reinstall the program."))
+            self.failed.emit(tr("The simulator could not be started. Reinstall the program."))
 
     @Slot()
     def _on_finished(self) -> None:

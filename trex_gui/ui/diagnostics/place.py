@@ -44,7 +44,7 @@ class LogPage(View):
         self._problems = ui.check_box(
             self, f"{key}LogProblems", tr("O&nly problems"), on_toggle=self.refresh
         )
-        tip = tr("Show the help on the message in the line with the cursor")
+        tip = tr("Show help for the message at the cursor")
         self._help = ui.button(self, f"{key}LogHelp", tr("E&xplain"), icon="help", tip=tip)
         self._help.clicked.connect(lambda: self.help_requested.emit(self._topic))
         self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=title_of(tr("Lo&g")))

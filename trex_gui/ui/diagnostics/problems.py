@@ -136,7 +136,7 @@ class ConnectionCard(ui.Card):
             for label in (caption, value):
                 label.setToolTip(ui.plain(reading.details))
         self._plot.refresh()
-        text = tr("Round trips of the last minute: up to {0:.0f} ms")
+        text = tr("Round trips in the last minute: up to {0:.0f} ms")
         self._caption.setText(text.format(1000 * self._plot.longest))
         self._caption.setVisible(self._plot.longest > 0)
 

@@ -89,7 +89,7 @@ class FileOpener(QObject):
         if len(paths) == 1:
             self.open_file(paths[0])
         else:
-            text = tr("{0} files were dropped, and none was opened: drop one file at a time.")
+            text = tr("None of the {0} dropped files was opened. Drop one file at a time.")
             self._notifier.error.emit(text.format(len(paths)))
 
     def open_file(self, path: Path) -> None:

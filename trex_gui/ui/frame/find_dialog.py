@@ -82,7 +82,10 @@ class FindDialog(ReusedDialog):
         self._full = ui.check_box(
             self,
             "findFullBox",
-            tr("&Full search: also every CRC polynomial and every device number (some minutes)"),
+            tr(
+                "&Full search: also try every CRC polynomial and every device number (takes a "
+                "few minutes)"
+            ),
         )
         self._start = ui.button(
             self,
@@ -111,7 +114,7 @@ class FindDialog(ReusedDialog):
             "findCheckButton",
             tr("C&heck the board…"),
             default=False,
-            tip=tr("What the LEDs mean, the wires, and how to restore serial settings"),
+            tip=tr("What the LEDs mean, how to wire the board, and how to restore serial settings"),
             on_click=self.check_requested,
         )
         close = ui.button(self, "findCloseButton", tr("Close"), default=False, on_click=self.close)
@@ -188,7 +191,7 @@ class FindDialog(ReusedDialog):
             text = tr("{0} is connected to this window, so it is not searched.")
             self._busy.setText(text.format(port.url or port.label))
         elif self._list.count() == 0:
-            self._busy.setText(tr("This computer has no serial ports. Plug an adapter in."))
+            self._busy.setText(tr("This computer has no serial ports. Plug in an adapter."))
         self._busy.setVisible(port is not None or self._list.count() == 0)
         self._disconnect.setVisible(port is not None)
         if running:  # the focus moves from Start to Cancel

@@ -71,14 +71,17 @@ class PreferencesDialog(ReusedDialog):
             tr("&Language:"),
             [(tr("As the system"), SYSTEM_LANGUAGE), *languages],
             lambda _: select_language(self._language.currentData()),
-            tr("Takes effect when the program starts again"),
+            tr("Takes effect the next time the program starts"),
         )
         self._units = add_box(
             "unitsBox",
             tr("&Units:"),
             list(zip(unit_names, (False, True), strict=True)),
             lambda index: units().set_order(own_first=bool(index)),
-            tr("What is shown first, and what a number typed without a unit means"),
+            tr(
+                "Determines which unit is shown first, and which unit applies to a number "
+                "typed without one"
+            ),
         )
         self._automatic = ui.check_box(
             self,
@@ -88,9 +91,9 @@ class PreferencesDialog(ReusedDialog):
         )
         explanation = Muted(
             tr(
-                "When the program starts, and when a known adapter is plugged in, if exactly "
-                "one board responds. Not after Disconnect, and not while another program "
-                "uses the port. No motor moves."
+                "The program connects when it starts or when a known adapter is plugged in, "
+                "if exactly one board responds. It does not connect after Disconnect or "
+                "while another program uses the port. No motor moves."
             ),
             self,
         )

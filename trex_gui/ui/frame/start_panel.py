@@ -83,7 +83,9 @@ class StartPanel(QWidget):
         self._none = ui.label(
             plugged,
             f"{prefix}startNoPort",
-            tr("No serial port was found. Plug the adapter in: it is listed here at once."),
+            tr(
+                "No serial port was found. Plug in the adapter, and it will be listed here at once."
+            ),
             wrap=True,
         )
         ui.column(*self._rows, self._none, 1, into=plugged, spacing=12)

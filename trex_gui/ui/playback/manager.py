@@ -210,7 +210,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         if path is None or path == source:
             return
         remember_folder(path, self._folder_key)
-        saved = tr("A copy was saved in {0}.").format(path)
+        saved = tr("A copy was saved to {0}.").format(path)
         save_in_background(window, partial(copy_recording, source, path), window.notifier, saved)
 
     def _on_not_opened(self, path: Path, error: StudioError) -> None:

@@ -58,7 +58,9 @@ class RecordingWindow(QMainWindow):
         self._heading = ui.label(self, "recordingHeading", wrap=True)
         whole = tr("Show the whole recording again")
         span = tr("Save every sample in the plot as CSV or MCAP")
-        keep = tr("Save a copy, since old recordings of faults and stops are removed")
+        keep = tr(
+            "Save a copy, because old recordings of faults and stops are removed automatically"
+        )
         cancel = tr("Stop loading or exporting")
         self._show_all, self._export, self.copy_button, self._cancel = (
             ui.button(self, f"{key}Button", text, icon=icon, tip=tip, on_click=slot)
@@ -211,7 +213,7 @@ class RecordingWindow(QMainWindow):
 
     @Slot(object)
     def _on_exported(self, path: Path) -> None:
-        self.notifier.info.emit(tr("The span was saved in {0}.").format(path))
+        self.notifier.info.emit(tr("The span was saved to {0}.").format(path))
         self.update_state()
 
     def _board_text(self) -> str:

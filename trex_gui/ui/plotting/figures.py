@@ -85,7 +85,10 @@ class TraceTable(QAbstractTableModel):
             (tr("Cursor"), ""),
             (
                 tr("To mark"),
-                tr("From the mark to the cursor; click the plot or press M to set the mark"),
+                tr(
+                    "Difference between the mark and the cursor; click the plot or press M to "
+                    "set the mark"
+                ),
             ),
             (tr("Held"), tr("Highest value since Hold peaks was switched on")),
             (tr("Low"), visible),
@@ -304,7 +307,10 @@ class EventList(QListWidget):
         self.itemClicked.connect(self._on_chosen)
         theme().changed.connect(self._fill)
         self.set_placeholder(
-            tr("No events yet. Stops, Apply, faults and limits will be listed here.")
+            tr(
+                "No events yet. Stops, applied settings, faults and exceeded limits will be "
+                "listed here."
+            )
         )
 
     def sizeHint(self) -> QSize:

@@ -41,7 +41,7 @@ _COLORS = {
     "teal": ("teal", tr_noop("Teal")),
     "pink": ("pink", tr_noop("Pink")),
     "grey": ("muted", tr_noop("Grey")),
-    "foreground": ("plot_text", tr_noop("As text")),
+    "foreground": ("plot_text", tr_noop("Text colour")),
 }
 """Name in the preferences → name in the theme, name for the user."""
 
@@ -87,7 +87,7 @@ class TracePanel(QWidget):
             self,
             "holdPeaksButton",
             tr("Hold pea&ks"),
-            tip=tr("Keep the highest value of each curve from now on, as a line and a figure"),
+            tip=tr("From now on, show the highest value of each curve as a line and in the table"),
             checkable=True,
             on_toggle=self._on_hold_toggled,
         )

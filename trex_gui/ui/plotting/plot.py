@@ -32,8 +32,8 @@ _FINE, _COARSE = 0.002, 0.05  # steps of the cursor, as fractions of the span
 _NEAR_MARK = 6  # pixels; a click this close to the mark removes it
 
 _KEYS = tr_noop(
-    "Left and Right move the cursor, with Shift in large steps; its values are read "
-    "out here. M sets a mark, plus and minus zoom, L goes back to live."
+    "Left and Right move the cursor, with Shift in large steps. The values at the cursor are "
+    "read out here. M sets a mark, Plus and Minus zoom, and L returns to the live view."
 )
 
 FloatsT = TypeVar("FloatsT", float, Floats)

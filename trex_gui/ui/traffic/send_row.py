@@ -42,7 +42,7 @@ class SendRow(QWidget):
         self._sign = Sign(self)
         self._meaning = ui.named(Note(2, self), f"{key}Meaning")
         self._meaning.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        text, tip = tr("Send &bytes"), tr("Send these bytes as they are (Enter)")
+        text, tip = tr("Send &bytes"), tr("Send these bytes unchanged (Enter)")
         self._button = ui.button(
             self, f"{key}SendButton", text, icon="console", tip=tip, on_click=self._send
         )

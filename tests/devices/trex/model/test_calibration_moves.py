@@ -67,7 +67,8 @@ def test_blocked_handle_names_the_blocking_value() -> None:
     assert move_handle(CALIBRATION, Handle.NEUTRAL, 6000)[1] == "Neutral cannot pass maximum."
     assert move_handle(CALIBRATION, Handle.MAXIMUM, 3000)[1] == "Maximum cannot pass neutral."
     assert (
-        move_handle(CALIBRATION, Handle.DEADBAND_HIGH, 3000)[1] == "The deadband ends at neutral."
+        move_handle(CALIBRATION, Handle.DEADBAND_HIGH, 3000)[1]
+        == "The ends of the deadband cannot pass neutral."
     )
     neutral_at_maximum = Calibration(2500, 5000, 5000, 0)
     assert (

@@ -122,7 +122,7 @@ def test_saved_number_of_another_device_opens_no_port(
     controller.device.notifier.error.connect(failures.append)
     controller.connect_to(setup.ports.add_typed(quick_simulator.url))
     setup.until(lambda: bool(failures))
-    assert failures == ["The board needs a number that no other device has."]
+    assert failures == ["The board needs a device number that no other device on the line has."]
     assert not sent
     controller.shut_down()
 

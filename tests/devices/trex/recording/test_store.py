@@ -25,7 +25,9 @@ from trex_gui.core.recording.store import CHUNK, RecordingWriter
 from trex_gui.devices.trex.client.telemetry import Currents, ModeSample, Raw, Sample
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
 
-NOT_CLOSED = ["The recording was not closed properly; samples of the last seconds may be missing."]
+NOT_CLOSED = [
+    "The recording was not closed properly. Samples from the last seconds may be missing."
+]
 
 
 @pytest.fixture(scope="module")
@@ -431,4 +433,7 @@ def test_log_that_cannot_be_copied_is_reported(
     monkeypatch.setattr(shutil, "copyfile", fail)
     _, found, problems = read_file(tmp_path / "crashed_a" / "a.trexrec")
     assert found == read_only_records[: len(read_only_records) // 2]
-    assert problems == ["Its log cannot be read: the last samples are missing.", *NOT_CLOSED]
+    assert problems == [
+        "The log of the recording cannot be read, so the last samples are missing.",
+        *NOT_CLOSED,
+    ]

@@ -116,7 +116,7 @@ def test_unknown_firmware_gives_warning() -> None:
         ("hovercraft: 5", "hovercraft: there is no such setting"),
         ("factory_reset: 127", "factory_reset: is a command to the board, not a setting"),
         ("firmware: new", "firmware: a version such as 1.3, not new"),
-        ("[a, b]: 5", "a name belongs before the colon, not a list or a group"),
+        ("[a, b]: 5", "there must be a name before the colon, not a list or a group"),
         (
             "rc_channel_1: 5",
             "rc_channel_1: is written {minimum: …, neutral: …, maximum: …, deadband: …}, not 5",

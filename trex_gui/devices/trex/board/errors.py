@@ -45,7 +45,10 @@ def error_names(entries: Sequence[ErrorEntry]) -> str:
     return tr("{0} (doubtful)").format(names) if is_doubtful else names
 
 
-_CHECK_LINE = tr_noop("Check cable and ground, and that no other program sends on this line.")
+_CHECK_LINE = tr_noop(
+    "Check the cable and the ground connection, and make sure that no "
+    "other program sends on this line."
+)
 
 _STATUS_REMEDIES = {  # in display order
     Status.MOTOR1_FAULT: DriveBlocker.FAULT.remedy,
@@ -59,17 +62,20 @@ _UART_REMEDIES = {
     UartError.TIMEOUT: DriveBlocker.TIMEOUT.remedy,
     UartError.FORMAT: _CHECK_LINE,
     UartError.CRC: tr_noop(
-        "Check cable and ground, and that every program on this line uses the same polynomial."
+        "Check the cable and the ground connection, and make sure that every program on this "
+        "line uses the same polynomial."
     ),
     UartError.FRAMING: tr_noop(
-        "Check cable, ground and baud rate, and keep motor leads away from the line."
+        "Check the cable, the ground connection and the baud rate, and keep motor leads away "
+        "from the cable."
     ),
     UartError.DATA_OVERRUN: tr_noop("Use a lower baud rate."),
     UartError.PARITY: tr_noop(
-        "Check cable and ground, and that every program on this line uses the same parity."
+        "Check the cable and the ground connection, and make sure that every program on this "
+        "line uses the same parity."
     ),
-    UartError.READ_OVERRUN: tr_noop("Let no other program send on this line."),
-    UartError.SEND_OVERRUN: tr_noop("Let other programs request fewer channels at once."),
+    UartError.READ_OVERRUN: tr_noop("Make sure that no other program sends on this line."),
+    UartError.SEND_OVERRUN: tr_noop("Make other programs request fewer channels at once."),
 }
 
 UNSEEN = (
@@ -226,7 +232,7 @@ def _earlier(latched: LatchedStatus) -> Event:
         for entry in UNSEEN
         if is_latched(entry.bit, latched) and entry.bit is not hidden
     )
-    text = tr("Latched before connecting, perhaps by a search for the board: {0}")
+    text = tr("Latched before the connection, perhaps by a scan for the board: {0}")
     return Event(latched.time, EventKind.LINK, text.format(names))
 
 

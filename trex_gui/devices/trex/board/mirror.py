@@ -286,7 +286,7 @@ class BoardMirror:
                 yield from self._clear()
                 text = tr("The board stopped responding.")
                 if is_network:
-                    text = tr("The network to the robot is silent.")
+                    text = tr("The server of the robot does not respond.")
                 yield Event(now, EventKind.LINK, text, is_problem=True)
             case CommandsRepeated():
                 text = tr(
@@ -433,7 +433,9 @@ class BoardMirror:
         if not self.is_responding or not self.quality.update(time, batch.counters):
             return
         if self.quality.is_noisy and not was_noisy:
-            text = tr("The line is noisy: {0:.1f} % lost").format(Number(100 * self.quality.lost))
+            text = tr("The line is noisy: {0:.1f} % of the replies were lost or corrupted").format(
+                Number(100 * self.quality.lost)
+            )
             yield Event(time, EventKind.LINK, text, is_problem=True)
         elif was_noisy and not self.quality.is_noisy:
             yield Event(time, EventKind.LINK, tr("The line is good again"))

@@ -123,7 +123,7 @@ def quality_text(quality: ConnectionQuality) -> str:
     """Describe the quality, with the percentage of answered requests."""
     if quality.is_noisy is None:
         return tr("being measured …")
-    text = tr("noisy: {0:.1f} % of the requests of the last {1:.0f} s answered")
+    text = tr("noisy: {0:.1f} % of the requests in the last {1:.0f} s were answered")
     if not quality.is_noisy:
-        text = tr("good: {0:.1f} % of the requests of the last {1:.0f} s answered")
+        text = tr("good: {0:.1f} % of the requests in the last {1:.0f} s were answered")
     return text.format(Number(100 * (1 - quality.lost)), quality.seconds)

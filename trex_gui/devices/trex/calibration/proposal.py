@@ -14,9 +14,10 @@ _MARGIN_DEVIATIONS = 3.0  # standard deviations of the noise, added to `_MARGIN`
 _MIN_IDLE = 1 / 3  # minimum distance of an unreached end, as a fraction of the reached travel
 
 WHY_THESE_VALUES = tr_noop(
-    "The ends lie inside the measured ends by 1 % of the travel plus three times the noise, "
-    "so that full output is reliably reached. The deadband covers the noise at rest, but is "
-    "at least {0}, because a stick does not return to exactly the same position each time."
+    "The proposed ends lie inside the measured ends by 1 % of the travel plus three times "
+    "the noise, so that the stick reliably reaches full output. The deadband covers the "
+    "noise at rest, but is at least {0}, because a stick does not return to exactly the same "
+    "position each time."
 )
 """Reasons common to all channels. `{0}` is the smallest deadband."""
 
@@ -45,7 +46,7 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
         return Proposal(None, reversed_now, "", (), problems)
     reasons = [_ends_reason(neutral, travel)]
     if neutral.noise > deadband_floor(neutral.source):
-        text = tr("At rest the noise is {0}: the deadband is twice this value.")
+        text = tr("At rest, the noise is {0}, so the deadband is twice this value.")
         reasons.append(text.format(neutral.noise_text))
     reversed_, reversed_reason = _reversal(travel, reversed_now=reversed_now)
     return Proposal(calibration, reversed_, reversed_reason, tuple(reasons), problems)
@@ -73,7 +74,7 @@ def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
 def _ends_reason(neutral: Neutral, travel: Travel) -> str:
     margins = [_margin(travel.length(way), neutral) for way in Way if travel.has_reached(way)]
     inside = swing_text(max(margins), neutral.source).removeprefix("±")
-    text = tr("The measured ends are up to {0} farther out.").format(inside)
+    text = tr("The measured ends are up to {0} beyond the proposed ends.").format(inside)
     if (idle := travel.idle) is not None:
         text += " " + (
             tr(
@@ -100,17 +101,21 @@ def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
         case Task.STICK if travel.first is not None:
             reversed_ = travel.first is Way.DOWN
             observation = (
-                tr("The value fell when the stick went forward or right first")
+                tr("The value fell when the stick first went forward or right")
                 if reversed_
-                else tr("The value rose when the stick went forward or right first")
+                else tr("The value rose when the stick first went forward or right")
             )
         case Task.SWITCH if travel.has_reached(Way.UP) != travel.has_reached(Way.DOWN):
             reversed_ = travel.has_reached(Way.UP)
             observation = (
-                tr("The other position reads higher than the rest position, which should be off")
+                tr(
+                    "The value is higher in the other position than at rest, where the switch "
+                    "should be off"
+                )
                 if reversed_
                 else tr(
-                    "The other position reads lower than the rest position, which should be off"
+                    "The value is lower in the other position than at rest, where the switch "
+                    "should be off"
                 )
             )
         case _:

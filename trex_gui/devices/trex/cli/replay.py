@@ -164,11 +164,13 @@ class RecordedTraffic:
 
     def text(self) -> str:
         board = (
-            tr("TReX 1.2, as no signature was read") if self.signature is None else self.signature
+            tr("TReX 1.2, because no signature was read")
+            if self.signature is None
+            else self.signature
         )
         count = len(self.parameters)
         known = tr("1 stored value") if count == 1 else tr("{0} stored values").format(count)
-        return tr("{0}, {1} from the file, others at their defaults").format(board, known)
+        return tr("{0}, {1} from the file, all other values at their defaults").format(board, known)
 
     def meaning(self, row: TranscriptRow, reply: bytes) -> str:
         transaction = self._transaction(replace(row, received=reply))
@@ -214,7 +216,7 @@ class RecordedTraffic:
                     eeprom.write(spec.key, value)
                 except BadRequest as error:
                     self.warnings.append(
-                        tr("{0}; the simulated board has its default.").format(error)
+                        tr("{0}; the simulated board uses the default value instead.").format(error)
                     )
         for (source, channel), calibration in self.calibrations.items():
             eeprom.write_calibration(source, channel, calibration)

@@ -81,7 +81,7 @@ def stream(
     The header contains the units. The other columns of a row contain the newest values. Error bits
     are only in the first row after they were read, because reading clears them in the board.
     --interval leaves out rows, but not their error bits. The measured currents may be off by 20 %
-    (twin: documented for a board with the same motor drivers).
+    (twin), as documented for a board with the same motor drivers.
     """
     if as_json and file is not None:
         raise click.UsageError(

@@ -35,8 +35,8 @@ class DriveBlocker(Enum):
     )
     NETWORK_SILENT = (
         Effect.BLOCKS,
-        tr_noop("The network to the robot is silent."),
-        tr_noop("Its server stops the motors half a second after the last heartbeat."),
+        tr_noop("The server of the robot does not respond."),
+        tr_noop("The server stops the motors half a second after the last heartbeat."),
     )
     CHANNEL_SILENT = (
         Effect.STOPS,
@@ -49,15 +49,15 @@ class DriveBlocker(Enum):
         Effect.STOPS,
         tr_noop("Channel {0} is {1} above neutral."),
         tr_noop(
-            "Safe-start holds the motors until it is within about {2} (inferred): release the "
-            "stick, or calibrate the channel (in serial mode)."
+            "Safe-start holds the motors until the channel is within about {2} of neutral "
+            "(inferred): release the stick, or calibrate the channel (in serial mode)."
         ),
     )
     CHANNEL_BELOW = (Effect.STOPS, tr_noop("Channel {0} is {1} below neutral."), CHANNEL_ABOVE[2])
     OVERRIDE_AT_START = (
         Effect.STOPS,
         tr_noop("Channel 5 requests serial override."),
-        tr_noop("Safe-start holds the motors until this switch is off once."),
+        tr_noop("Safe-start holds the motors until you turn the switch of channel 5 off."),
     )
     SAFE_START = (
         Effect.STOPS,
@@ -67,9 +67,10 @@ class DriveBlocker(Enum):
     FAULT = (
         Effect.STOPS,
         tr_noop(
-            "Motor {0} is off: its driver shut down (too hot, a short circuit, or low voltage)."
+            "Motor {0} is off: its driver shut down because of overheating, a short circuit "
+            "or low voltage."
         ),
-        tr_noop("Reduce the load, check wires and battery, and let it cool."),
+        tr_noop("Reduce the load, check the wires and the battery, and let the driver cool."),
     )
     TIMEOUT = (
         Effect.STOPS,
@@ -80,14 +81,14 @@ class DriveBlocker(Enum):
         Effect.STOPS,
         tr_noop("Serial errors ({0}): the board stops the motors when bytes arrive corrupted."),
         tr_noop(
-            "Check cable and ground. Without UART-Error Shutdown the Serial Timeout may not stop "
-            "the motors either (twin)."
+            "Check the cable and the ground connection. Without UART-Error Shutdown, the "
+            "Serial Timeout may not stop the motors either (twin)."
         ),
     )
     STOPPING = (
         Effect.STOPS,
-        tr_noop("Stopping: the board has not confirmed it yet."),
-        tr_noop("The stop is being repeated; motors may still turn."),
+        tr_noop("Stopping: the board has not confirmed the stop yet."),
+        tr_noop("The stop is being repeated. Motors may still be turning."),
     )
     LOCKED = (
         Effect.STOPS,
@@ -97,7 +98,7 @@ class DriveBlocker(Enum):
     OTHER_DRIVES = (
         Effect.BLOCKS,
         tr_noop("{0} drives this robot. You can watch and stop it."),
-        tr_noop("“Arm motors” asks {0} to hand over."),
+        tr_noop("“Arm motors” asks {0} to hand over control."),
     )
     NO_BOARD = (
         Effect.BLOCKS,
@@ -106,18 +107,18 @@ class DriveBlocker(Enum):
     )
     OPENING = (Effect.BLOCKS, tr_noop("The program is connecting to the board."))
     CLOSING = (Effect.BLOCKS, tr_noop("The connection is being closed."))
-    UNKNOWN = (Effect.BLOCKS, tr_noop("The board has not reported yet what controls the motors."))
+    UNKNOWN = (Effect.BLOCKS, tr_noop("The board has not yet reported what controls the motors."))
     NOT_SERIAL = (
         Effect.BLOCKS,
         tr_noop("The board reports that serial commands do not control the motors."),
-        tr_noop("Switch it off and on."),
+        tr_noop("Switch the board off and on."),
     )
     RC_CHANNELS = (
         Effect.BLOCKS,
         tr_noop("The RC channels control the motors, not serial commands."),
         tr_noop(
-            "To drive by serial commands, turn on the override switch (channel 5), or switch the "
-            "board off, remove the mode jumper and switch it on."
+            "To drive by serial commands, turn on the override switch (channel 5), or switch "
+            "the board off, remove the mode jumper and switch the board on again."
         ),
     )
     ANALOG_CHANNELS = (
@@ -127,12 +128,12 @@ class DriveBlocker(Enum):
     )
     SEVERAL_BOARDS = (
         Effect.BLOCKS,
-        tr_noop("Commands without a device number would reach several boards."),
+        tr_noop("Commands without a device number would reach more than one board."),
         tr_noop("Select one of the boards on this line."),
     )
     GROUP = (
         Effect.BLOCKS,
-        tr_noop("Board {0}, which is driven with this one, does not follow."),
+        tr_noop("Board {0}, which is driven together with this board, does not follow commands."),
         tr_noop("Its diagram shows why. “Drive alone” drives the other board without it."),
     )
     NOT_ALLOWED = (Effect.BLOCKS, tr_noop("The motors cannot be armed at this moment."))
@@ -144,7 +145,7 @@ class DriveBlocker(Enum):
     )
     OVER_LIMIT = (
         Effect.LIMITS,
-        tr_noop("Motor {0} is slowed down: current over the limit."),
+        tr_noop("Motor {0} is slowed down: its current exceeds the limit."),
         tr_noop("Reduce the load, or raise the current limit in Parameters."),
     )
     RUNNING = (

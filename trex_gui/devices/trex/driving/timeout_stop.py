@@ -77,5 +77,7 @@ def turning_text(motors: Collection[int]) -> str:
 
 def remedy_for_silence(stop: TimeoutStop, timeout: str) -> str:
     """Return the remedy for a lost board that was driven. `timeout`: serial timeout as text."""
-    text = tr("The board should stop {0} after the last byte; if not, cut the power.")
+    text = tr(
+        "The board should stop its motors {0} after the last byte. If it does not, cut the power."
+    )
     return text.format(timeout) if stop.is_reliable else tr("Cut the power.")

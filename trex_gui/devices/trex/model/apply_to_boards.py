@@ -142,7 +142,7 @@ class ApplyToBoards(QObject):
         if error is not None:
             problem = error_text(error)
             if isinstance(error, TrexError) and error.code is ErrorCode.NOT_SELECTED_SILENT:
-                problem = tr("It does not respond. Check that it has power.")
+                problem = tr("The board does not respond. Check that it has power.")
             else:
                 self._is_cancelled = True
             self._finish_board(number, BoardStep.FAILED, problem)

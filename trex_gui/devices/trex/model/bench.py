@@ -109,7 +109,8 @@ class Bench(QObject):
         device = self._device
         if device.is_connected and device.board.is_joint:
             return tr(
-                "In joint mode the board measures no current, so a test could not be aborted."
+                "In joint mode the board measures no current, so excessive current could not "
+                "abort a test."
             )
         if reason := held_drive_blocker(device, _HOLDER):
             return reason

@@ -159,8 +159,8 @@ class BoardList(QObject):
         self.boards = tuple(present)
         self._save_numbers()
         text = tr(
-            "No other board replies on this line. Each board needs power, the same serial "
-            "settings as this one, and its own device number."
+            "No other board replied on this line. Every board needs power, the same serial "
+            "settings as the connected board, and a unique device number."
         )
         if len(present) > 1:
             text = tr("%n board(s) on this line.", "", len(present))

@@ -58,7 +58,7 @@ def move_handle(calibration: Calibration, handle: Handle, count: int) -> tuple[C
             limits = 0, max(neutral - minimum, maximum - neutral, 0)
             reason = tr("The deadband cannot be wider than the travel.")
             if value < 0:
-                reason = tr("The deadband ends at neutral.")
+                reason = tr("The ends of the deadband cannot pass neutral.")
     limited = max(limits[0], min(limits[1], value))
     return replace(calibration, **{field: limited}), "" if limited == value else reason
 

@@ -104,15 +104,15 @@ def function_text(
 def source_instructions(source: InputSource, mode: Mode) -> str:
     if mode.is_serial:
         text = tr(
-            "The board reads {0} now, and shows and accepts only their calibrations. To see "
-            "the calibrations for {1}, set Channel Input Source, apply, and switch the board "
-            "off and on."
+            "The board now reads {0}, so it shows and accepts only the calibrations for {0}. "
+            "To see the calibrations for {1}, set Channel Input Source, apply, and switch "
+            "the board off and on."
         )
     else:
         text = tr(
-            "The board reads {0} now, and shows and accepts only their calibrations. To see "
-            "these calibrations, switch the board off, set the mode jumper to {2}, and switch the "
-            "board on."
+            "The board now reads {0}, so it shows and accepts only the calibrations for {0}. "
+            "To see these calibrations, switch the board off, set the mode jumper to {2}, "
+            "and switch the board on."
         )
     return text.format(tr(SOURCE_NAMES[mode.source]), tr(SOURCE_NAMES[source]), source.word)
 
@@ -127,11 +127,11 @@ def write_failure(error: StudioError) -> str:
     result = error.result if isinstance(error, Rejected) else None
     if result is ResultCode.BAD_VALUE:
         return tr(
-            "{0} It accepts a calibration only when minimum is not above neutral, neutral is not "
-            "above maximum, and minimum and maximum differ."
+            "{0} The board accepts a calibration only if minimum is not above neutral, "
+            "neutral is not above maximum, and minimum and maximum differ."
         ).format(error_sentence(error))
     if result is ResultCode.NOT_SERIAL_MODE:
-        return tr("{0} The edits are kept meanwhile.").format(error_sentence(error))
+        return tr("{0} Your edits are kept.").format(error_sentence(error))
     return error_sentence(error)
 
 
@@ -163,7 +163,8 @@ def unreachable_warning(calibration: Calibration, source: InputSource) -> str:
         return text.format(_exact_text(calibration.neutral, source), range_text)
     ends = {tr("Minimum"): calibration.minimum, tr("Maximum"): calibration.maximum}
     text = tr(
-        "{0} ({1}) is outside the input range. {2} Full output on that side is never reached."
+        "{0} ({1}) is outside the input range. {2} The output never reaches its full value "
+        "on that side."
     )
     return " ".join(
         text.format(end, _exact_text(count, source), range_text)

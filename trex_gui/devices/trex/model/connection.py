@@ -178,7 +178,9 @@ class Connection(DeviceConnection[ConnectionSettings]):
             case NotResponding(reason=reason):
                 log.info("the board does not respond: %s", reason)
                 self.not_responding.emit(report)
-                text = tr("The board has stopped responding. Is its power on? Waiting for it …")
+                text = tr(
+                    "The board has stopped responding. Check its power. Waiting for a reply …"
+                )
                 self._set_state(ConnectionState.NOT_RESPONDING, text)
 
     def _handle_state(self, report: Connected) -> None:

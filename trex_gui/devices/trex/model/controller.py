@@ -249,7 +249,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         if error is None:
             text = self._confirmation_text(reason)
         elif isinstance(error, TrexError) and error.code is ErrorCode.CLOSED:
-            text = tr("{0}. The line is closed.").format(reason)
+            text = tr("{0}. The connection is closed.").format(reason)
             if self.may_move:
                 text = self._unreachable_text(reason)
         else:

@@ -26,7 +26,7 @@ BOOT_TEXTS = {  # step of a boot mode, as reported by `show` → text for the us
     "learning: extremes": tr_noop("Learning: hold each stick at both ends, ten seconds in all."),
     "learning: done": tr_noop("Learned; green means good. Remove SO–G, then power-cycle."),
     "boot loader: requested": tr_noop("Boot loader: remove Mix, then SO–G."),
-    "boot loader: ready": tr_noop("Boot loader: waiting for firmware. Power-cycle to leave."),
+    "boot loader: ready": tr_noop("Boot loader: waiting for firmware. Power-cycle to exit."),
 }
 
 

@@ -326,8 +326,8 @@ class Device(QObject):
         is_same_kind = self.parameters.model_key == state.signature.model.key
         if pending and before is not None and not is_same_kind:
             text = tr(
-                "%n edit(s) not applied to the previous {0}: saved, and offered when it is "
-                "connected again.",
+                "%n unapplied edit(s) of the previous {0} saved. They are offered when that "
+                "board is connected again.",
                 "",
                 pending,
             )
@@ -361,7 +361,8 @@ class Device(QObject):
         self.writer.give_up(tr("Nothing was written: another board was selected."))
         if pending := self.draft.pending:
             text = tr(
-                "%n edit(s) of the previous board saved: they return when it is selected again.",
+                "%n edit(s) of the previous board saved. They return when that board is "
+                "selected again.",
                 "",
                 pending,
             )
@@ -376,8 +377,8 @@ class Device(QObject):
         """Report all files so far, because each message replaces the previous message."""
         self._replaced.append(path)
         text = tr(
-            "Edits, notes or settings of another board with this device number were saved "
-            "here. They are now in {0}."
+            "Edits, notes or settings of another board with this device number were already "
+            "saved. They were moved to {0}."
         )
         self.notifier.info.emit(text.format(", ".join(map(str, self._replaced))))
 
@@ -387,7 +388,7 @@ class Device(QObject):
         self.telemetry.report_cleared()
         self.writer.give_up(tr("Nothing was written: the board does not respond."))
         if self.may_move and report.is_network:
-            self.warn(tr("The network is silent; the server of the robot stops the motors."))
+            self.warn(tr("The network is not responding; the robot's server stops the motors."))
         elif self.may_move:
             self.warn(tr("The board does not respond; the stop is being repeated."))
 

@@ -229,7 +229,7 @@ class DriveController(QObject):
         text = tr("The connection is not responding, so the stop could not be sent.")
         parts = [turning_text(self.driven), tr("Cut the power."), text]
         if self._connection.is_guarded:
-            parts.append(tr("The guardian process sends it now."))
+            parts.append(tr("The guardian process is sending the stop now."))
         self._notifier.warn(" ".join(parts), lasts=lambda: self.may_move)
         in_background(self, partial(logged_stops, 0), self._report_guardian, lambda _error: None)
 
@@ -365,7 +365,7 @@ class DriveController(QObject):
                 self.repeat_stop()
         if is_back:
             self.may_move = True
-            self._motors.stop(tr("The board that disconnected while driving is back."))
+            self._motors.stop(tr("The board that was lost while it was driven is back."))
 
     @Slot(object)
     def _on_closed(self, last: Closed | None) -> None:
@@ -385,8 +385,8 @@ class DriveController(QObject):
             text = tr("Another board responds now: {0}, at {1}.")
             if self._lost and self._lost[-1].state.signature == self._board.state.signature:
                 text = tr(
-                    "This may be another board: {0}, at {1}, has other settings than the board "
-                    "that was driven."
+                    "This may be another board: the settings of {0}, at {1}, differ from "
+                    "those of the board that was driven."
                 )
             text = text.format(_name_of(self._board), self._board.settings.label)
             self._notifier.warn(f"{text} {self.lost_board}", lasts=lambda: bool(self._lost))
@@ -397,8 +397,8 @@ class DriveController(QObject):
         if settings is not None and self.place != self._lost_place:
             text = tr(
                 "The connection to {0} was lost before a stop was confirmed. The board now "
-                "at this port has confirmed a stop; if it is another board, cut the power of "
-                "the first."
+                "at this port has confirmed a stop. If this is another board, cut the power "
+                "of the first board."
             )
             self._notifier.error.emit(text.format(lost.label))
 

@@ -71,7 +71,7 @@ def held_drive_blocker(device: Device, holder: str) -> str:
     if device.board.serial_controls is False:
         return tr("{0} A test needs serial control.").format(device.board.control_text)
     if motors.locked_for:
-        text = tr("After a stop the motors are locked for another {0:.0f} s.")
+        text = tr("The motors were stopped and stay locked for another {0:.0f} s.")
         return text.format(max(1.0, motors.locked_for))
     if not motors.armed:
         return tr("Put the robot on blocks, then arm the motors.")

@@ -113,8 +113,8 @@ def timeout_warning_on(
         )
     elif stop is TimeoutStop.FAILED:
         text = tr(
-            "Serial timeout is on, but it did not stop the motors of this board when it was "
-            "tested: they keep turning if the cable or this computer fails."
+            "Serial timeout is on, but did not stop the motors of this board when it was "
+            "tested: motors keep turning if the cable or this computer fails."
         )
         return TimeoutWarning(text, None)
     elif stop is TimeoutStop.DOUBTFUL:
@@ -126,26 +126,27 @@ def timeout_warning_on(
     elif stop is TimeoutStop.REFUTED:
         text = tr(
             "UART-Error Shutdown is off, and the serial timeout did not stop the motors of "
-            "this board when it was tested: they keep turning if the cable or this computer "
-            "fails."
+            "this board when it was tested: motors keep turning if the cable or this "
+            "computer fails."
         )
         better = max(better, timeout)
     elif timeout >= better or survives(timeout):
         if is_guarded:
             return None
         text = tr(
-            "The guardian process could not be started: if this program fails, motors keep turning "
-            "for the serial timeout of {0:g} s."
+            "The guardian process could not be started: if this program fails, motors keep "
+            "turning until the serial timeout of {0:g} s expires."
         )
         return TimeoutWarning(text.format(Number(timeout)), None)
     elif "://" in settings.url:
         text = tr(
-            "Serial timeout of {0:g} s is short for a network port: one late reply stops the "
-            "motors while you drive. Set a longer one, or connect the board to this computer."
+            "The serial timeout of {0:g} s is short for a network port: one late reply stops "
+            "the motors while you drive. Set a longer timeout, or connect the board to this "
+            "computer."
         ).format(Number(timeout))
     else:
         text = tr(
-            "Serial timeout of {0:g} s is short for {1} baud: one lost reply stops the motors "
-            "while you drive. Set a longer one, or a faster baud rate."
+            "The serial timeout of {0:g} s is short for {1} baud: one lost reply stops the "
+            "motors while you drive. Set a longer timeout or a higher baud rate."
         ).format(Number(timeout), settings.line.baud)
     return TimeoutWarning(text, better)

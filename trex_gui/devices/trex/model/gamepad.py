@@ -211,7 +211,7 @@ class Gamepad(QObject):
             return self.failure
         if self.pad is None:
             if not self.lost_pad:
-                return tr("No gamepad is connected. Plug one in or switch it on.")
+                return tr("No gamepad is connected. Plug in or switch on a gamepad.")
             return tr("The gamepad “{0}” was disconnected.").format(self.lost_pad)
         if self._unattended:
             return self._unattended

@@ -75,8 +75,8 @@ class LossWhileDriven(QObject):
         if self._silent_for is None or not self._has_timed_out:
             return
         text = tr(
-            "The board is back. It has confirmed the stop. For {0:.0f} s it received nothing: did "
-            "its Serial Timeout stop the motor meanwhile?"
+            "The board is back. It has confirmed the stop. It received nothing for {0:.0f} "
+            "s: did its Serial Timeout stop the motor during that time?"
         ).format(Number(self._silent_for))
         self._silent_for = None
         record_trial, shutdown = self._device.board.memory.record_trial, self._has_shutdown

@@ -80,10 +80,10 @@ class TrexPacketSender(PacketSender):
             return text.format(settings.device_number)
         if any(packet.writes_everywhere for packet in packets):
             if settings.device_number is not None:
-                text = tr("Every board on this line would store it: address device {0}.")
+                text = tr("Every board on this line would store the value: address device {0}.")
                 return text.format(settings.device_number)
             if self._device.driving.reaches_several:
-                return tr("Every board on this line would store it: select one of them.")
+                return tr("Every board on this line would store the value: select a board.")
         return ""
 
     def _on_replied(self, packet: RawPacket, outcome: Outcome) -> None:

@@ -120,7 +120,9 @@ def read_count(text: str) -> tuple[int, InputSource | None]:
         if (volts := quantity(number, "V", thousands=False)) is not None:
             return InputSource.ANALOG.counts(volts), InputSource.ANALOG
     raise BadRequest(
-        tr("it is a number of counts (3750) or has a unit (1500us, 2.5V), not {0}").format(text)
+        tr(
+            "expected a number of counts (3750) or a value with a unit (1500us, 2.5V), not {0}"
+        ).format(text)
     )
 
 

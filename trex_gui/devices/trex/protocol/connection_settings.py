@@ -66,7 +66,7 @@ class ConnectionSettings(PortSettings):
             )
             _ = settings.framing  # raises if the device number is missing or reserved
         except (KeyError, ValueError) as error:
-            raise BadRequest(tr("{0!r} are not settings of a board").format(text)) from error
+            raise BadRequest(tr("{0!r} are not valid board settings").format(text)) from error
         return settings
 
     def at(self, line: SerialFormat) -> PortSettings:
@@ -101,5 +101,7 @@ class ConnectionSettings(PortSettings):
     @property
     def framing(self) -> Framing:
         if self.reserved and self.device_number in {None, *self.reserved}:
-            raise BadRequest(tr("The board needs a number that no other device has."))
+            raise BadRequest(
+                tr("The board needs a device number that no other device on the line has.")
+            )
         return Framing(self.device_number, self.polynomial if self.line.has_crc else None)

@@ -68,9 +68,8 @@ CHANNEL_ROLES = {  # in RC and analog mode; in serial mode, the channels are onl
 }
 
 STOP_WITHOUT_EFFECT = tr_noop(
-    "The stop was sent, but the channels control the motors: it takes effect "
-    "only when channel 5 gives control to serial commands. Release the "
-    "sticks, or cut the power."
+    "The stop was sent, but has no effect yet: the channels control the motors until channel "
+    "5 gives control to serial commands. Release the sticks, or cut the power."
 )
 
 
@@ -145,12 +144,15 @@ def describe_control(mode: Mode, by_serial: bool, *, joint: bool) -> str:
         text = tr("Serial commands control the motors: channel 5 overrides the other inputs.")
     else:
         text = tr(
-            "The {0} channels control the motors. Serial commands take effect only "
-            "when channel 5 gives control to them; for serial mode, switch the board "
-            "off, remove the mode jumper and switch it on."
+            "The {0} channels control the motors. Serial commands take effect only when "
+            "channel 5 gives control to them. For serial mode, switch the board off, remove "
+            "the mode jumper and switch the board on again."
         ).format("RC" if mode is Mode.RC else tr("analog"))
     if joint:
-        text += tr(" Joint mode: both drivers work together as motor 1, motor 2 is ignored.")
+        text += tr(
+            " Joint mode: both drivers work together as motor 1, and commands for "
+            "motor 2 are ignored."
+        )
     return text
 
 

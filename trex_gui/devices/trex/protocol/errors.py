@@ -26,7 +26,7 @@ class ErrorCode(Enum):
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
         "ground is connected, and that the serial settings match those of the board. If both "
         "LEDs blink together, the board is in learning mode: remove the SO–G jumper, then "
-        "switch it off and on."
+        "switch the board off and on."
     )
     ECHO_ONLY = tr_noop(
         "Everything sent on {0} comes back, and nothing else arrives. Either this is the "
@@ -38,18 +38,18 @@ class ErrorCode(Enum):
         "differs from the board's setting, or another device is connected."
     )
     BOOT_LOADER = tr_noop(
-        "The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and "
-        "SO–G jumpers are off, then switch the board off and on and connect again. Its serial "
-        "settings may be those of the factory now: 19200 baud, no parity, no CRC."
+        "The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix "
+        "and SO–G jumpers are off, then switch the board off and on and connect again. Its "
+        "serial settings may now be the factory defaults: 19200 baud, no parity, no CRC."
     )
     QIK = tr_noop(
         "The device on {0} responds like a Pololu qik, not like a TReX. This program does "
         "not support it: select the port of the TReX, or connect the adapter to the TReX."
     )
     SEVERAL_BOARDS = tr_noop(
-        "Several boards reply at once on {0} at {1}. “Find” tries each device number. If "
-        "boards share a number, switch off all but one of them and give that board its own "
-        "number."
+        "More than one board replies on {0} at {1}. “Find” tries every device number. If two "
+        "boards have the same number, switch one of them off and give the other board a "
+        "different number."
     )
     OTHER_LINE = tr_noop(
         "A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings "
@@ -65,7 +65,8 @@ class ErrorCode(Enum):
     )
     REPLIES_LOST = tr_noop(
         "A {1} responds on {0}, but not every time: the line loses or corrupts bytes. Check "
-        "cable and ground, keep motor leads away from them, then connect again."
+        "the cable and the ground connection, keep motor leads away from the cable, then "
+        "connect again."
     )
     # Transactions
     NO_REPLY = tr_noop("No reply to {0}.")
@@ -73,9 +74,9 @@ class ErrorCode(Enum):
     CORRUPTED_REPLY = tr_noop("The reply {0} is corrupted: {1}.")
     LATE_REPLIES = tr_noop("Late replies arrived and cannot be matched to requests.")
     READINGS_DIFFER = tr_noop(
-        "The board's replies to {0} differ each time: the line corrupts bytes, so what is stored "
-        "is not known. Check cable and ground, keep motor leads away from them, or use a lower "
-        "baud rate or CRC."
+        "The board's replies to {0} differ each time: the line corrupts bytes, so the stored "
+        "value is unknown. Check the cable and the ground connection, keep motor leads away "
+        "from the cable, lower the baud rate, or use CRC."
     )
     # Motors
     STOP_UNCONFIRMED = tr_noop(
@@ -91,20 +92,22 @@ class ErrorCode(Enum):
         "The motors that were driven draw no current: the board may have restarted."
     )
     NO_GUARDIAN = tr_noop("The guardian process ended, and another one could not be started.")
-    NOT_ARMED = tr_noop("These bytes may move a motor; nothing was sent. Arm the motors first.")
-    MOVES_ANOTHER_BOARD = tr_noop(
-        "These bytes may move a motor of another board, which a stop on this connection does not "
-        "reach; nothing was sent. Address device {0} in them, or connect with the compact "
-        "protocol."
+    NOT_ARMED = tr_noop(
+        "Nothing was sent, because these bytes may move a motor. Arm the motors first."
     )
-    OVERTAKEN_BY_STOP = tr_noop("A stop came first; nothing was sent.")
+    MOVES_ANOTHER_BOARD = tr_noop(
+        "Nothing was sent, because these bytes may move a motor of another board, which a "
+        "stop on this connection does not reach. Use device number {0} in the packet, or "
+        "connect with the compact protocol."
+    )
+    OVERTAKEN_BY_STOP = tr_noop("Nothing was sent, because a stop was requested first.")
     # More than one board on a line
     OTHERS_WHILE_DRIVING = tr_noop(
         "The program does not scan for other boards while motors are armed or may be moving. Stop "
         "the motors first."
     )
     NOT_SELECTED_MOVING = tr_noop(
-        "Board {0} was not selected, because the stop of the present board is not confirmed. "
+        "Board {0} was not selected, because the current board has not confirmed its stop. "
         "If a motor is still turning, cut its power."
     )
     NOT_SELECTED_SILENT = tr_noop(
@@ -112,55 +115,59 @@ class ErrorCode(Enum):
         "previous board is still selected."
     )
     NUMBER_TAKEN = tr_noop(
-        "Another board on this line has the device number {0}. Select a number that is free."
+        "Another board on this line has the device number {0}. Select an unused number."
     )
-    LEFT_GROUP = tr_noop("Board {0} no longer follows: it fell silent, was stopped or restarted.")
-    NO_SUCH_BOARD = tr_noop("Board {0} does not belong to the boards driven together here.")
+    LEFT_GROUP = tr_noop(
+        "Board {0} is no longer driven with the group: it stopped "
+        "responding, was stopped, or restarted."
+    )
+    NO_SUCH_BOARD = tr_noop("Board {0} is not one of the boards that are driven together here.")
     OF_BOARD = tr_noop("Board {0}: {1}")
     IN_GROUP = tr_noop(
-        "While boards are driven together, no device number can be changed, no board can be "
-        "selected, and no typed packet can store anything. Connect to this board alone."
+        "While boards are driven together, you cannot change a device number, select a "
+        "board, or send a packet that stores a setting. Connect to this board alone."
     )
     # Boards that are served to clients
-    OTHER_DRIVES = tr_noop("Another user drives this board. Ask that user to hand over.")
+    OTHER_DRIVES = tr_noop("Another user drives this board. Ask that user to hand over control.")
     MAY_NOT_DRIVE = tr_noop("You may watch this board and stop it, but not drive or change it.")
     MAY_NOT_TAKE = tr_noop("Only an owner may take over from another user.")
-    LEASE_LOST = tr_noop("Driving was handed over, or the heartbeat did not reach the robot.")
+    LEASE_LOST = tr_noop("Control was handed over, or the heartbeat did not reach the robot.")
     # Writes
     BAD_PARAMETER = tr_noop(
-        "{0}: the board does not know this parameter (code 1); its firmware may be too old for it"
+        "{0}: the board does not know this parameter (code 1); its firmware may be too old"
     )
     BAD_VALUE = tr_noop("{0}: the board rejects this value (code 2)")
     NOT_SERIAL_MODE = tr_noop(
-        "{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper, "
-        "switch it on again"
+        "{0}: the board is not in serial mode (code 3); switch it off, remove the mode "
+        "jumper and switch it on again"
     )
     PARAMETER_MISMATCH = tr_noop(
-        "{0} could not be verified: wrote {1}, but the board reads back {2}"
+        "{0} could not be verified: {1} was written, but {2} was read back"
     )
-    CALIBRATION_MISMATCH = tr_noop("{0} could not be verified: the board reads back {1}")
-    OTHER_SOURCE = tr_noop("{0} is for {1} inputs, but the board reads {2} now")
-    OTHER_BOARD = tr_noop("Another board responds now: {0}. Nothing was written to it.")
+    CALIBRATION_MISMATCH = tr_noop("{0} could not be verified: {1} was read back")
+    OTHER_SOURCE = tr_noop("{0} is for {1} inputs, but the board now reads {2} inputs")
+    OTHER_BOARD = tr_noop("A different board now responds: {0}. Nothing was written to it.")
     OTHER_BOARD_AFTER_WRITING = tr_noop(
-        "Another board responds now: {0}. Settings may have been written to it; compare it with "
-        "its last snapshot."
+        "A different board now responds: {0}. Settings may have been written to it. Compare "
+        "it with its last snapshot."
     )
     OTHER_VALUES = tr_noop(
-        "The board no longer stores the settings that were read from it: it is another board, or "
-        "its settings were changed meanwhile. Nothing was written."
+        "The board no longer stores the settings that were read from it: it is another "
+        "board, or its settings were changed in the meantime. Nothing was written."
     )
     STRAY_WRITE = tr_noop(
-        "The line corrupted bytes while {0} was written, and another setting may have been changed "
-        "instead. Read the board again and compare it with the last snapshot. {1}"
+        "The line corrupted bytes while {0} was being written, and another setting may have "
+        "been changed instead. Read the board again and compare it with the last snapshot. "
+        "{1}"
     )
     TOO_MANY_DIFFER = tr_noop(
-        "{0} settings differ from what was read before, so none was restored: another board may be "
-        "connected."
+        "{0} settings differ from the values that were read before, so none was restored: "
+        "another board may be connected."
     )
     WRITE_CANCELLED = tr_noop("The write was cancelled before this setting was written.")
     LINE_SETTINGS_UNCERTAIN = tr_noop(
-        "{0} {1} may have gone back to the factory default: after a power cycle the board would "
-        "run at {2}"
+        "{0} {1} may have been reset to the factory default: after a power cycle, the board "
+        "would run at {2}"
     )
     # The session
     SCANNING = tr_noop("The board is not responding; scanning for it.")

@@ -55,19 +55,31 @@ def stops_motors(bits: Status | UartError, *, errors_stop: bool = False) -> bool
 STATUS_MEANING: dict[Status, tuple[str, str]] = {  # name and explanation, highest bit first
     Status.MOTOR2_OVER_LIMIT: (
         tr_noop("Motor 2 over current limit"),
-        tr_noop("The current of motor 2 passed its limit and the limiter lowered its speed."),
+        tr_noop(
+            "The current of motor 2 exceeded its limit, so the limiter reduced the speed "
+            "of the motor."
+        ),
     ),
     Status.MOTOR2_FAULT: (
         tr_noop("Motor 2 fault"),
-        tr_noop("The driver of motor 2 shut itself down: too hot, short circuit or low voltage."),
+        tr_noop(
+            "The driver of motor 2 shut itself down because of overheating, a short "
+            "circuit or low voltage."
+        ),
     ),
     Status.MOTOR1_OVER_LIMIT: (
         tr_noop("Motor 1 over current limit"),
-        tr_noop("The current of motor 1 passed its limit and the limiter lowered its speed."),
+        tr_noop(
+            "The current of motor 1 exceeded its limit, so the limiter reduced the speed "
+            "of the motor."
+        ),
     ),
     Status.MOTOR1_FAULT: (
         tr_noop("Motor 1 fault"),
-        tr_noop("The driver of motor 1 shut itself down: too hot, short circuit or low voltage."),
+        tr_noop(
+            "The driver of motor 1 shut itself down because of overheating, a short "
+            "circuit or low voltage."
+        ),
     ),
     Status.UART_ERROR: (
         tr_noop("UART error"),
@@ -85,7 +97,8 @@ UART_MEANING: dict[UartError, tuple[str, str]] = {  # name and explanation, high
     UartError.FORMAT: (
         tr_noop("Format error"),
         tr_noop(
-            "A packet had an unknown command, a command byte inside it or an invalid data byte."
+            "A packet contained an unknown command, an unexpected command byte or an invalid "
+            "data byte."
         ),
     ),
     UartError.CRC: (
@@ -107,7 +120,8 @@ UART_MEANING: dict[UartError, tuple[str, str]] = {  # name and explanation, high
     UartError.READ_OVERRUN: (
         tr_noop("Read buffer overrun"),
         tr_noop(
-            "More bytes arrived than the board can buffer; something sends while the board replies."
+            "More bytes arrived than the board can buffer: something is sending while the "
+            "board replies."
         ),
     ),
     UartError.SEND_OVERRUN: (

@@ -58,7 +58,9 @@ class LineSettings(SerialFormat):
             raise BadRequest(text.format(wire))
         code = wire & _BAUD_FIELD
         if code >= len(baud_rates()):
-            raise BadRequest(tr("UART settings {0:#04x} name no baud rate").format(wire))
+            raise BadRequest(
+                tr("UART settings {0:#04x} do not contain a valid baud rate").format(wire)
+            )
         detection = Detection(wire & _DETECTION_FIELD)
         return cls(baud_rates()[code], detection, 2 if wire & _TWO_STOP_BITS else 1)
 

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.session.messages import Report, Request
 from trex_gui.devices.trex.session.session import TrexSession
 
 NEEDS_EXTRA = tr_noop(
-    "Network boards need more packages: install trex-gui[remote] with pip or pipx."
+    "Boards on the network need additional packages: install trex-gui[remote] with pip or pipx."
 )
 
 

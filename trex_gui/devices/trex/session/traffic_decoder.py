@@ -96,7 +96,7 @@ class TrexDecoder(Decoder):
             case _ if not transaction.received:
                 fault = tr("no reply")
             case _ if transaction.received == transaction.sent:
-                fault = tr("only its echo came back")
+                fault = tr("only the echo came back")
             case _:
                 fault = tr("incomplete reply")
         return f"{request} → {fault}"

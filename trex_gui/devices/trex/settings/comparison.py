@@ -172,7 +172,7 @@ def _omission_reason(key: str, before: Settings, after: Settings) -> str:
         spec, wire = _specs(side).get(key), side.parameters.get(key)
         if spec is not None and wire is not None and key not in _specs(other):
             board = tr("a {0} with firmware {1}").format(other.product.name, other.specs.firmware)
-            return tr("{0} ({1}) is left out: {2} does not have it.").format(
+            return tr("{0} ({1}) is left out: {2} does not have this setting.").format(
                 spec.name, spec.text(wire), board
             )
     wire = after.parameters.get(key)

@@ -83,7 +83,7 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
     for old, wire in settings.parameter_items():
         new = specs.get(old.key)
         if new is None:
-            reason = tr("A {0} with firmware {1} does not have it.").format(
+            reason = tr("A {0} with firmware {1} does not have this setting.").format(
                 product.name, target.specs.firmware
             )
             rows.append(ConvertedRow(old.key, old.name, Fate.LEFT_OUT, old.text(wire), "", reason))
@@ -118,9 +118,11 @@ def _converted_wire(
     result = min(max(int(steps + 1e-6), 1), new.maximum)
     step = f"{Number(new.scale):g} {new.unit}"
     if steps > new.maximum + 1e-6:
-        return result, tr("A {0} has at most {1}.").format(product.name, new.text(new.maximum))
+        return result, tr("The maximum for a {0} is {1}.").format(
+            product.name, new.text(new.maximum)
+        )
     if steps < 1 - 1e-6:
-        return result, tr("A {0} has at least {1}; 0 switches it off (twin).").format(
+        return result, tr("The minimum for a {0} is {1}; 0 means off (twin).").format(
             product.name, new.text(1)
         )
     if abs(steps - result) < 1e-6:

@@ -143,7 +143,7 @@ class SettingsHistory:
                 text = opened.read(_HEADER_BYTES).decode("utf-8-sig", "replace")
             header = [line.rstrip("\r") for line in text.split("\n")[:_HEADER_LINES] if text]
         except OSError as error:
-            problem = tr("It cannot be read: {0}.").format(error.strerror or error)
+            problem = tr("The file cannot be read: {0}.").format(error.strerror or error)
         details = {found[1]: found[2] for line in header if (found := _DETAIL.fullmatch(line))}
         values = {found[1]: found[2] for line in header if (found := _VALUE.match(line))}
         number, product = details.get("device number", ""), values.get("product", "")
@@ -184,9 +184,10 @@ class SettingsHistory:
         name = cleaned.get("name", "")
         if name.isdecimal():
             raise BadRequest(
-                tr("A name cannot be a number like {0}, because snapshots have numbers.").format(
-                    name
-                )
+                tr(
+                    "A name cannot be a number like {0}, because numbers already identify "
+                    "snapshots."
+                ).format(name)
             )
         if name and any(other.name == name != snapshot.name for other in self.snapshots()):
             raise BadRequest(tr("Another snapshot has the name {0}.").format(name))

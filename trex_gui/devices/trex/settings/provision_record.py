@@ -111,7 +111,7 @@ class ProvisionRecord:
         for number in numbers:
             if number not in assigned:
                 return number
-        text = tr("All {0} device numbers are in {1}.")
+        text = tr("All {0} device numbers are already used in {1}.")
         raise BadRequest(text.format(NUMBERS, self._file))
 
     def add(self, row: ProvisionedBoard) -> None:
@@ -129,7 +129,8 @@ class ProvisionRecord:
         content = table.getvalue().encode("utf-8")
         if not save_over(self._file, content, self._saved):
             text = tr(
-                "Another program has changed {0}. Nothing was saved. Start again to continue it."
+                "Another program has changed {0}. Nothing was saved. Start again to continue "
+                "this record."
             )
             raise BadRequest(text.format(self._file))
         self._saved = content

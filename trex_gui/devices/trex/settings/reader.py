@@ -33,26 +33,26 @@ _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
 _FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
 
 _MESSAGES: Mapping[str, str] = {
-    "unterminated": tr_noop("the last line has no end; was the file cut short?"),
+    "unterminated": tr_noop("the last line has no line break; was the file cut short?"),
     "more_errors": tr_noop("{count} more errors are not listed"),
-    "key_is_no_name": tr_noop("a name belongs before the colon, not a list or a group"),
-    "repeated": tr_noop("was given in line {first} already"),
-    "repeated_in_group": tr_noop("{name} was given in line {first} already"),
-    "product_missing": tr_noop("the first setting is {wanted}; this file has none"),
+    "key_is_no_name": tr_noop("there must be a name before the colon, not a list or a group"),
+    "repeated": tr_noop("was already given in line {first}"),
+    "repeated_in_group": tr_noop("{name} was already given in line {first}"),
+    "product_missing": tr_noop("the first setting must be {wanted}, but this file has no product"),
     "product_not_first": tr_noop("must be the first setting of the file"),
-    "product_misspelt": tr_noop("{models}, not {given}; did you mean {model}?"),
-    "product_unknown": tr_noop("{models}, not {given}; these are not settings of a TReX"),
-    "firmware_invalid": tr_noop("a version such as {newest}, not {given}"),
-    "firmware_unknown": tr_noop("versions {oldest} to {newest} are known, {given} is not"),
+    "product_misspelt": tr_noop("must be {models}, not {given}; did you mean {model}?"),
+    "product_unknown": tr_noop("must be {models}, not {given}; these are not settings of a TReX"),
+    "firmware_invalid": tr_noop("must be a version such as {newest}, not {given}"),
+    "firmware_unknown": tr_noop("versions {oldest} to {newest} are known, but {given} is not"),
     "not_a_setting": tr_noop("is a command to the board, not a setting"),
-    "value_invalid": tr_noop("{allowed}, not {given}{hint}"),
-    "value_open": tr_noop("{allowed}{grade}, not {given}; the board decides"),
+    "value_invalid": tr_noop("must be {allowed}, not {given}{hint}"),
+    "value_open": tr_noop("should be {allowed}{grade}, not {given}; the board decides"),
     "needs_firmware": tr_noop(
-        "a {product} has it from firmware {since} on, these are for {firmware}"
+        "a {product} has this setting only from firmware {since} on, but the file is for {firmware}"
     ),
-    "other_product": tr_noop("a {product} does not have it, whatever its firmware"),
+    "other_product": tr_noop("a {product} does not have this setting in any firmware"),
     "key_unknown": tr_noop("there is no such setting{guess}"),
-    "calibration_layout": tr_noop("is written {layout}, not {given}"),
+    "calibration_layout": tr_noop("must be written as {layout}, not {given}"),
     "field_unknown": tr_noop("a calibration has no {field!r}{guess}"),
     "field_invalid": tr_noop("{field} must be 0 to {highest}, not {given}"),
     "field_missing": tr_noop("{fields} is missing"),
@@ -347,7 +347,7 @@ def _hint(spec: ParameterSpec, node: Node) -> str:
     return (
         tr("; write {0}").format(text)
         if is_quoted
-        else tr("; {0} is written {1}").format(shortened(text), meant)
+        else tr("; write {1} for {0}").format(shortened(text), meant)
     )
 
 

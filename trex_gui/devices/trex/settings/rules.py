@@ -160,8 +160,8 @@ def _timeout_without_shutdown(case: _Case) -> Iterator[_Match]:
     timeout, shutdown = ParameterKey.SERIAL_TIMEOUT, ParameterKey.UART_ERROR_SHUTDOWN
     if case.wires.get(timeout) and case.wires.get(shutdown) == 0:
         text = tr(
-            "{timeout} of {seconds} may not stop the motors if the cable or the computer fails: "
-            "{shutdown} is off (twin)."
+            "{timeout} of {seconds} may not stop the motors if the cable or the computer "
+            "fails: {shutdown} is off (twin)."
         ).format(
             timeout=case.name(timeout), seconds=case.text(timeout), shutdown=case.name(shutdown)
         )
@@ -173,8 +173,8 @@ def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
     if set_keys := [key for key in keys if case.is_joint and case.wires.get(key)]:
         limits = _joined([f"{case.name(key)} ({case.text(key)})" for key in set_keys])
         text = tr(
-            "No effect in joint mode: {limits}. The board measures no current then, so the motor "
-            "is not protected."
+            "No effect in joint mode: {limits}. In this mode the board measures no current, "
+            "so the motor is not protected."
         ).format(limits=limits)
         yield _Match((ParameterKey.MOTOR_MODE, *set_keys), text, dict.fromkeys(set_keys, 0))
 
@@ -191,7 +191,7 @@ def _limit_without_gain(case: _Case) -> Iterator[_Match]:
     for limit, gain in _limits_with_zero(case, MotorParameter.CURRENT_LIMIT_P):
         text = tr(
             "{limit} is {value}, but its proportionality constant P, which sets how strongly "
-            "the limiter reacts, is 0. The limit may then have no effect (inferred)."
+            "the limiter reacts, is 0. Therefore, the limit may have no effect (inferred)."
         ).format(limit=case.name(limit), value=case.text(limit))
         yield _Match((limit, gain), text, {gain: case.default(gain)})
 
@@ -219,7 +219,7 @@ def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
             continue
         text = tr(
             "The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a "
-            "{product} is rated for {highest}; above that it gets hot."
+            "{product} is rated for {highest}. Above this frequency, the driver gets hot."
         ).format(
             motor=motor,
             now=_kilohertz(now),
@@ -229,7 +229,7 @@ def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
         change = {}
         better = (n for n, frequency in enumerate(frequencies) if frequency <= highest)
         if (wire := next(better, None)) is not None:
-            effect = tr("The prescaler {0} gives {1}.")
+            effect = tr("Prescaler {0} gives {1}.")
             text += " " + effect.format(case.text(prescaler, wire), _kilohertz(frequencies[wire]))
             change = {prescaler: wire}
         yield _Match((prescaler, maximum), text, change)
@@ -246,8 +246,8 @@ def _required_but_ignored(case: _Case) -> Iterator[_Match]:
     required, ignored = (case.wires.get(key, 0) for key in keys)
     if both := required & ignored:
         text = tr(
-            "Both required and ignored: {channels}. The signal moves nothing, but without it the "
-            "motors may not run in RC mode (inferred)."
+            "Both required and ignored: {channels}. The signal controls nothing, but without "
+            "the signal the motors may not run in RC mode (inferred)."
         )
         channels = _joined([tr("channel {0}").format(n) for n in channels_in(both)])
         yield _Match(keys, text.format(channels=channels), {keys[0]: required & ~ignored})
@@ -267,8 +267,8 @@ def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
         # If an end equals neutral, the user wants the channel to have only one direction.
         if lost := [end for end, travel in ends.items() if 0 < travel <= calibration.deadband]:
             text = tr(
-                "The deadband of {channel} reaches from neutral to its {ends}: there is nothing "
-                "between standstill and full speed on that side."
+                "The deadband of {channel} reaches from neutral to its {ends}: there is "
+                "nothing between standstill and full speed on that side."
             )
             yield _Match((key,), text.format(channel=key.label, ends=_joined(lost)))
 
@@ -278,8 +278,8 @@ def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
         lowest = _SHORTEST_PULSE if key.source is InputSource.RC else 0
         highest = key.source.highest_count
         text = tr(
-            "The {end} of {channel}, {count}, is beyond {limit}, the last count that the board "
-            "measures: full speed on that side is never reached."
+            "The {end} of {channel}, {count}, is beyond {limit}, the last count that the "
+            "board measures: full speed on that side is never reached."
         )
         ends = []
         if calibration.minimum < min(lowest, calibration.neutral):
@@ -298,8 +298,8 @@ def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
     default = case.default(key)
     if case.wires[key] != default:
         text = tr(
-            "{name} is {value} instead of the default {default}, but CRC-7 is not switched on: no "
-            "packet is checked with it."
+            "{name} is {value} instead of the default {default}, but CRC-7 is not switched "
+            "on: no packet is checked with it."
         ).format(name=case.name(key), value=case.text(key), default=case.text(key, default))
         yield _Match((key, ParameterKey.UART_SETTINGS), text, {key: default})
 
@@ -360,7 +360,8 @@ def _line_will_change(case: _Case) -> Iterator[_Match]:
     if real != used:
         text = tr(
             "After the next power cycle, the line settings of the board will be {new} "
-            "instead of {now}. Programs that use the board must then use them, too."
+            "instead of {now}. Programs that use the board must then use the new line "
+            "settings."
         )
         yield _line_match(text.format(new=real.text(), now=used.text()))
 

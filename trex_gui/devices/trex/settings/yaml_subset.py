@@ -58,7 +58,9 @@ def compose(text: str, name: str) -> MappingNode:
         node = yaml.compose(_TAB.sub(lambda tab: tab[1] or " ", text))
     except ReaderError as error:
         line = len(LINE_END.findall(text, 0, error.position)) + 1
-        message = tr("the character U+{0:04X} has no place in a text file").format(error.character)
+        message = tr("the character U+{0:04X} is not allowed in a text file").format(
+            error.character
+        )
         raise SettingsError.of(name, message, line) from None
     except _UnsupportedError as error:
         raise SettingsError.of(name, str(error), error.line) from None
@@ -74,7 +76,7 @@ def compose(text: str, name: str) -> MappingNode:
         raise _damaged(text, name, message, line) from None
     if node is None:
         raise SettingsError.of(
-            name, tr("there are no settings here; the first is 'product: TReX'"), 1
+            name, tr("there are no settings here; the first must be 'product: TReX'"), 1
         )
     if not isinstance(node, MappingNode):
         message = tr("this is not a setting; {0}").format(tr(_PLAIN_YAML))
@@ -89,7 +91,7 @@ def _damaged(text: str, name: str, message: str, line: int) -> SettingsError:
     elif match := _UNSPACED.search(text):  # YAML reads a word here and rejects a later line
         first = len(LINE_END.findall(text, 0, match.start())) + 1
         if first <= line:
-            line, message = first, tr("type an ordinary space after the colon")
+            line, message = first, tr("there must be an ordinary space after the colon")
     return SettingsError.of(name, message, line)
 
 

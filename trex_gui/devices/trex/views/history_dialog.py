@@ -235,7 +235,7 @@ class HistoryDialog(ReusedDialog):
 
     def _on_copied(self, path: Path) -> None:
         file_questions.remember_folder(path)
-        self._banner.show_news(tr("A copy was saved in {0}.").format(path))
+        self._banner.show_news(tr("A copy was saved to {0}.").format(path))
 
     @Slot()
     def _on_delete_clicked(self) -> None:

@@ -133,7 +133,7 @@ def hang(driven: DrivenDevice, seconds: float) -> None:
 
 @pytest.mark.parametrize(
     ("is_guarded", "remedy"),
-    [(True, "The guardian process sends it now."), (False, "Cut the power.")],
+    [(True, "The guardian process is sending the stop now."), (False, "Cut the power.")],
 )
 def test_stop_of_a_hanging_session_is_reported_once(
     is_guarded: bool, remedy: str, driven: DrivenDevice, virtual_time: VirtualRuntime

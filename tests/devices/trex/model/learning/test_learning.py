@@ -422,7 +422,7 @@ def test_already_stored_values_request_the_test_at_once(setup: LearningSetup) ->
     assert setup.requested_tests == [(1,)]
     setup.learning.start_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
-    assert setup.learning.test_message == "These values are stored already."
+    assert setup.learning.test_message == "These values are already stored."
     setup.learning.cancel()
     setup.learning.start_test((1,))
     assert setup.learning.test_message == ""

@@ -271,7 +271,7 @@ def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel
     about = model.text.about
     for key, words in (
         ("device_number", "Range: 0 to 127 (inferred). Default: 7. "),
-        ("device_number", "(inferred): no document confirms it."),
+        ("device_number", "(inferred): not confirmed by any document."),
         ("serial_timeout", "(twin): documented for Pololu's qik 2s12v10"),
         ("uart_error_shutdown", "The default of on is doubtful: public programs"),
         ("uart_settings", "Wire value: 5 (19200 baud, "),

@@ -194,7 +194,7 @@ class Learning(QObject):
         if is_pending:
             self.edited.emit()
         else:
-            self._report_stored(tuple(choices), tr("These values are stored already."))
+            self._report_stored(tuple(choices), tr("These values are already stored."))
         return is_pending
 
     def cancel(self) -> None:
@@ -228,15 +228,15 @@ class Learning(QObject):
     @Slot(str)
     def _on_doubted(self, currents: str) -> None:
         self.problem = tr(
-            "The board accepted the stop, but {0}. Check the motors: if one turns, something else "
-            "drives it, such as another controller on this line; cut its power. Continue only if "
-            "they are not turning."
+            "The board accepted the stop, but {0}. Check the motors. If a motor is turning, "
+            "cut its power: something else is driving it, such as another controller on this "
+            "line. Continue only if no motor is turning."
         ).format(currents)
         self._set_step(LearningStep.DOUBT)
 
     @Slot(str)
     def _on_stop_failed(self, reason: str) -> None:
-        text = tr("Cannot continue: the motors could not be confirmed as stopped. {0}")
+        text = tr("Cannot continue: the stop of the motors is not confirmed. {0}")
         self._fail(text.format(reason))
 
     @Slot(str)

@@ -17,14 +17,15 @@ def mode_blocker(device: Device) -> str:
     if state is None or state.mode.is_serial:
         return ""
     text = tr(
-        "The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch "
-        "it off, remove the mode jumper and switch it on."
+        "The board is in {0} mode: the sticks drive the motors, and the board rejects "
+        "settings. Switch the board off, remove the mode jumper and switch the board on."
     )
     if device.board.serial_controls:
         text = tr(
-            "The board is in {0} mode. Channel 5 has switched the motors to serial control. The "
-            "next move of its switch returns them to the sticks. The board also rejects settings. "
-            "Switch it off, remove the mode jumper and switch it on."
+            "The board is in {0} mode. Channel 5 has switched the motors to serial control; "
+            "when its switch moves again, the sticks drive the motors. In this mode the "
+            "board rejects settings. Switch the board off, remove the mode jumper and switch "
+            "the board on."
         )
     return text.format(state.mode.source.word)
 

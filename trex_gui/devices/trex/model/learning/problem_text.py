@@ -24,7 +24,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         "Release the stick and sample again. If the drift continues, the stick or the "
         "transmitter is warming up or worn."
     )
-    weak = tr("Bring the transmitter nearer, or check antenna and cable.")
+    weak = tr("Move the transmitter closer, or check the antenna and the cable.")
     noisy = tr(
         "At rest the noise is {0}: a deadband wide enough to hide this noise would take a "
         "quarter of the travel. Repair the cable, the supply or the stick first."
@@ -34,14 +34,14 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         "Either nothing is connected to this input (its voltage is then meaningless), or its "
         "stick was not moved."
     )
-    needed = tr("At least {1} are needed: the deadband, and a count for each of the {2} speeds.")
+    needed = tr("At least {1} is needed: the deadband plus one count for each of the {2} speeds.")
     other_way = tr(
-        "Push the stick the other way, too. If it does not move that way, it was at an end "
-        "during sampling."
+        "Push the stick in the other direction, too. If this is not possible, the stick was "
+        "at an end during sampling."
     )
-    one_way = tr("The stick went one way only.")
-    hold = tr("Go back, push the stick all the way and hold it there for {0:.1f} s.")
-    uneven = tr("The stick went {0} to one side, but only {1} to the other.")
+    one_way = tr("The stick moved in one direction only.")
+    hold = tr("Go back, push the stick all the way and hold this position for {0:.1f} s.")
+    uneven = tr("The stick moved {0} to one side, but only {1} to the other side.")
     all_the_way = tr("Was the stick pushed all the way?")
     refused = tr("The board would reject this: {0}.")
     reverse = tr("Should the channel be reversed?")
@@ -70,8 +70,8 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             ),
             weak,
             tr(
-                "The board repeats the last value, so losses below a third, or in a steadier "
-                "signal, go unnoticed."
+                "The board repeats the last value, so losses below a third, or losses in a "
+                "steadier signal, cannot be detected."
             ),
         ],
         (kind.NOISE, "RC"): [noisy],
@@ -81,17 +81,17 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         ],
         (kind.NEVER_MOVED, "RC"): [
             tr("A steady signal arrives, but it never moved."),
-            tr("Either another stick controls this channel, or it was not moved."),
+            tr("Either another stick controls this channel, or the stick was not moved."),
         ],
         (kind.NEVER_MOVED, "ANALOG"): [
-            tr("Nothing moves on this input: it stays at {0}."),
+            tr("This input does not change: it stays at {0}."),
             unmoved,
         ],
         (kind.NEVER_MOVED, "RAIL"): [
-            tr("Nothing moves on this input: it stays at {0}, an end of the measuring range."),
+            tr("This input does not change: it stays at {0}, an end of the measuring range."),
             unmoved,
         ],
-        (kind.TOO_LITTLE, ""): [tr("The stick went only {0} from its rest position."), needed],
+        (kind.TOO_LITTLE, ""): [tr("The stick moved only {0} from its rest position."), needed],
         (kind.ONE_DIRECTION, "DOWN"): [one_way, other_way],
         (kind.ONE_DIRECTION, "UP"): [one_way, other_way],
         (kind.END_TOO_NEAR, "DOWN"): [
@@ -123,12 +123,15 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         ],
         (kind.USELESS, ""): ["{0}"],
         (kind.NEVER_FULL, ""): [
-            tr("{0} is beyond {1}, the farthest value reached: there is no full output.")
+            tr(
+                "{0} is beyond {1}, the farthest value reached: the output cannot reach its "
+                "full value."
+            )
         ],
         (kind.SPEEDS_UP, ""): [
             tr(
-                "Beyond its rest position the motor speeds up again, in either direction: at "
-                "{0} to {1} of {2}."
+                "Beyond the rest position the motor speeds up again: at {0}, to {1} of {2} "
+                "in either direction."
             ),
             tr("Check that no trim and no broken wire can move the signal there."),
         ],

@@ -42,7 +42,7 @@ class ParameterText:
             Grade.TWIN: tr(
                 "(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers."
             ),
-            Grade.INFERRED: tr("(inferred): no document confirms it."),
+            Grade.INFERRED: tr("(inferred): not confirmed by any document."),
         }
 
     def set_board(self, board: Model) -> None:
@@ -108,9 +108,10 @@ class ParameterText:
             late = tr("Takes effect when the board is switched off and on.")
             return f"{spec.description} {late if spec.needs_power_cycle else ''}".rstrip()
         return tr(
-            "Switching frequency of the motor's PWM. Low frequencies whine and heat "
-            "the motor, frequencies above the driver's rating heat the driver. Type a number or "
-            "use the arrow keys. The board stores the nearest frequency that it can switch at."
+            "Switching frequency of the motor's PWM. Low frequencies make the motor whine "
+            "and heat up; frequencies above the driver's rating heat the driver. Type a "
+            "number or use the arrow keys. The board stores the nearest frequency that it "
+            "supports."
         )
 
     # --- Sentences ----------------------------------------------------------------------

@@ -297,8 +297,8 @@ def diff_against_draft(
     result = compare(shown, settings.without([*unread, *hidden]))
     not_read = tr("{0} is left out because it could not be read from the board.")
     not_shown = tr(
-        "The {0} calibrations are left out: the board accepts them only while it reads its inputs "
-        "as {0}."
+        "The {0} calibrations are left out: the board accepts them only while its input "
+        "source is {0}."
     )
     notes = [not_read.format(key) for key in unread]
     notes += [not_shown.format(name) for name in sorted({key.source.word for key in hidden})]

@@ -82,8 +82,8 @@ class SettingsWriter(QObject):
         if not self.is_rejected:
             return ""
         return tr(
-            "The board accepts changes in serial mode only: switch it off, remove the mode jumper, "
-            "switch it on. Edits are kept."
+            "The board accepts changes only in serial mode: switch the board off, remove the "
+            "mode jumper, and switch the board on. Your edits are kept."
         )
 
     @property
@@ -177,8 +177,8 @@ class SettingsWriter(QObject):
     def _state_to_change(self) -> DeviceState | None:
         if self._driving.reaches_several and self._connection.is_open:
             text = tr(
-                "Nothing was written: without a device number it would reach several boards. "
-                "Select one of the boards on this line."
+                "Nothing was written: without a device number, the write would reach every "
+                "board on this line. Select a board first."
             )
             self.failed.emit(text)
             return None

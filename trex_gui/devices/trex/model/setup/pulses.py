@@ -48,7 +48,7 @@ class MotorPulses(QObject):
     def mode_problem(self) -> str:
         """Reason why pulses are impossible in this mode, or an empty string."""
         if self._device.is_connected and self._device.board.is_joint:
-            return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
+            return tr("Joint mode: both outputs drive one motor, so there is nothing to identify.")
         return mode_blocker(self._device) if self._device.is_connected else ""
 
     @property
@@ -57,7 +57,7 @@ class MotorPulses(QObject):
         if self.mode_problem:
             return self.mode_problem
         if self._device.is_connected and not self.wheels_are_free:
-            return tr("Lift the robot so that its wheels turn freely, then confirm that here.")
+            return tr("Lift the robot so that its wheels turn freely, then confirm this here.")
         return held_drive_blocker(self._device, _HOLDER)
 
     def confirm_wheels(self, free: bool) -> None:

@@ -217,7 +217,7 @@ class GamepadDialog(ReusedDialog):
             old.hide()
             old.deleteLater()
             self._live.show()
-        absent = tr("No gamepad is connected. Plug one in or switch it on.")
+        absent = tr("No gamepad is connected. Plug in or switch on a gamepad.")
         self._name.setText(absent if pad is None else pad.name)
         for widget in (*self._rows.values(), self._style, self._dead_zone, self._expo):
             widget.setEnabled(pad is not None)
