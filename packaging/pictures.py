@@ -29,7 +29,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui import composition
-from trex_gui.app import complete
+from trex_gui.app import load_hidden_parts
 from trex_gui.ui.devices.demo_panel import DemoDock
 from trex_gui.ui.program import Program
 from trex_gui.ui.theme.theme import Scheme, theme
@@ -154,7 +154,7 @@ def demonstration() -> Iterator[tuple[QApplication, Program]]:
     collector.setObjectName("collector")
     program = composition.build()
     program.window.show()
-    complete(program, collector)
+    load_hidden_parts(program, collector)
     for dock in program.window.findChildren(DemoDock):
         dock.set_wanted(False)
     yield application, program

@@ -969,7 +969,7 @@
         <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
     <message><source>the period of a bench test must be {0:g} to {1:g} s, not {2:g} s</source>
         <translation>die Periode eines Prüflaufs ist {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
-    <message><source>{0} This report is doubtful, because the line is noisy and has no CRC.</source>
+    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
         <translation>{0} Zweifelhaft: Die Leitung ist gestört und hat kein CRC.</translation></message>
     <message><source>The board does not respond; the stop is being repeated.</source>
         <translation>Das Board antwortet nicht; der Stopp wird wiederholt.</translation></message>
@@ -987,7 +987,7 @@
         <translation>Lassen Sie kein anderes Programm auf dieser Leitung senden.</translation></message>
     <message><source>Make other programs request fewer channels at once.</source>
         <translation>Lassen Sie andere Programme weniger Kanäle auf einmal anfordern.</translation></message>
-    <message><source>Latched before the connection, perhaps by a scan for the board: {0}</source>
+    <message><source>Latched before connecting, perhaps by a search for the board: {0}</source>
         <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
         <translation>Verbunden mit {0} an {1}.</translation></message>
@@ -1033,9 +1033,9 @@
         <translation>wird gemessen …</translation></message>
     <message><source>good: {0:.1f} % of the requests in the last {1:.0f} s were answered</source>
         <translation>gut: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
-    <message><source>The proposed ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that the stick reliably reaches full output. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
+    <message><source>The proposed ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
         <translation>Die Enden liegen um 1 % des Wegs und das Dreifache des Rauschens innerhalb der gemessenen, damit die volle Ausgabe sicher erreicht wird. Der Totbereich deckt das Rauschen in Ruhe ab, beträgt aber mindestens {0}, da ein Knüppel nicht jedes Mal genau an dieselbe Stelle zurückkehrt.</translation></message>
-    <message><source>At rest, the noise is {0}, so the deadband is twice this value.</source>
+    <message><source>At rest the noise is {0}, so the deadband is twice this value.</source>
         <translation>In Ruhe beträgt sein Rauschen {0}: Der Totbereich ist doppelt so groß.</translation></message>
     <message><source>{0}, so the channel should be reversed.</source>
         <translation>{0}; Vorschlag: umgekehrt.</translation></message>
@@ -1173,7 +1173,7 @@
         <translation>Um mit seriellen Befehlen zu fahren, schalten Sie den Vorrangschalter (Kanal 5) ein oder schalten Sie das Board aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
     <message><source>The analog channels control the motors, not serial commands.</source>
         <translation>Die Analogkanäle steuern die Motoren, nicht serielle Befehle.</translation></message>
-    <message><source>Commands without a device number would reach more than one board.</source>
+    <message><source>Commands without a device number would reach several boards.</source>
         <translation>Befehle ohne Gerätenummer würden mehrere Boards erreichen.</translation></message>
     <message><source>Select one of the boards on this line.</source>
         <translation>Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
@@ -1251,7 +1251,7 @@
         <translation>{0:g} s lang wurde kein Strom gelesen.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Motor {0} hat seine Stromgrenze überschritten.</translation></message>
-    <message><source>No other board replied on this line. Every board needs power, the same serial settings as the connected board, and a unique device number.</source>
+    <message><source>No other board replies on this line. Every board needs power, the same serial settings as the connected board, and a unique device number.</source>
         <translation>An dieser Leitung antwortet kein anderes Board. Jedes braucht Strom, dieselben seriellen Einstellungen wie dieses und eine eigene Gerätenummer.</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
         <translation><numerusform>%n Board an dieser Leitung.</numerusform><numerusform>%n Boards an dieser Leitung.</numerusform></translation></message>
@@ -1313,9 +1313,9 @@
         <translation>wird ignoriert: er bleibt in Neutralstellung, was auch immer am Eingang anliegt</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
         <translation>Im RC- und Analogmodus gilt: Er {1}.</translation></message>
-    <message><source>The board now reads {0}, so it shows and accepts only the calibrations for {0}. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
+    <message><source>The board now reads {0}, so it shows and accepts only the calibrations of this source. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen, lassen Sie es {1} lesen: Stellen Sie „Eingangsquelle der Kanäle“ um, wenden Sie die Änderung an und schalten Sie das Board aus und ein.</translation></message>
-    <message><source>The board now reads {0}, so it shows and accepts only the calibrations for {0}. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
+    <message><source>The board now reads {0}, so it shows and accepts only the calibrations of this source. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
         <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen: Schalten Sie es aus, stecken Sie den Modus-Jumper auf {2}, schalten Sie es ein.</translation></message>
     <message><source>applied {0}</source>
         <translation>angewendet {0}</translation></message>
@@ -1901,7 +1901,7 @@
         <translation>gestern {0}</translation></message>
     <message><source>This snapshot is damaged and cannot be restored. {0}</source>
         <translation>Diese Sicherungskopie ist beschädigt und kann nicht wiederhergestellt werden. {0}</translation></message>
-    <message><source>The board accepts changes only in serial mode: switch the board off, remove the mode jumper, and switch the board on. Your edits are kept.</source>
+    <message><source>The board accepts changes in serial mode only: switch the board off, remove the mode jumper, and switch the board on. Your edits are kept.</source>
         <translation>Das Board nimmt Änderungen nur im seriellen Modus an: Schalten Sie es aus, ziehen Sie den Modus-Jumper ab, schalten Sie es ein. Änderungen bleiben erhalten.</translation></message>
     <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
         <translation>Es wurde nichts geschrieben, weil zuvor keine Sicherungskopie gespeichert werden konnte. {0}</translation></message>
@@ -1965,7 +1965,7 @@
         <translation>0 oder 1 gibt an, wer die Motoren steuert, nicht {0}</translation></message>
     <message><source>{0:#04x} names channels that a TReX does not have</source>
         <translation>{0:#04x} nennt Kanäle, die ein TReX nicht hat</translation></message>
-    <message><source>a parameter value must be 0 to 127, not {0}</source>
+    <message><source>a parameter number must be 0 to 127, not {0}</source>
         <translation>ein Parameter ist 0 bis 127, nicht {0}</translation></message>
     <message><source>{0} is not a TReX result code (0 to 3)</source>
         <translation>{0} ist kein Ergebniscode eines TReX (0 bis 3)</translation></message>
@@ -2111,7 +2111,7 @@
         <translation>Der TReX an {0} ist im Bootloader und wartet auf neue Firmware. Prüfen Sie, ob Mix- und SO–G-Jumper abgezogen sind, schalten Sie dann das Board aus und ein und verbinden Sie erneut. Es hat jetzt vielleicht die seriellen Werkseinstellungen: 19200 Baud, keine Parität, kein CRC.</translation></message>
     <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: select the port of the TReX, or connect the adapter to the TReX.</source>
         <translation>Das Gerät an {0} antwortet wie ein Pololu qik, nicht wie ein TReX. Dieses Programm unterstützt es nicht: Wählen Sie den Port des TReX, oder schließen Sie den Adapter am TReX an.</translation></message>
-    <message><source>More than one board replies on {0} at {1}. “Find” tries every device number. If two boards have the same number, switch one of them off and give the other board a different number.</source>
+    <message><source>Several boards reply at once on {0} at {1}. “Find” tries every device number. If two boards have the same number, switch one of them off and give the other board a different number.</source>
         <translation>An {0} antworten mehrere Boards gleichzeitig mit {1}. „Suchen“ fragt jede Gerätenummer ab; von Boards mit derselben Nummer schalten Sie alle bis auf eines aus und geben diesem eine eigene.</translation></message>
     <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>An {0} antwortet ein {1} mit {2}, diese Verbindung verwendet aber {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
@@ -2155,7 +2155,7 @@
         <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
     <message><source>Another board on this line has the device number {0}. Select an unused number.</source>
         <translation>Ein anderes Board an dieser Leitung hat die Gerätenummer {0}. Wählen Sie eine freie Nummer.</translation></message>
-    <message><source>Board {0} is no longer driven with the group: it stopped responding, was stopped, or restarted.</source>
+    <message><source>Board {0} no longer follows: it stopped responding, was stopped or restarted.</source>
         <translation>Board {0} folgt nicht mehr: Es verstummte, wurde gestoppt oder startete neu.</translation></message>
     <message><source>Board {0} is not one of the boards that are driven together here.</source>
         <translation>Board {0} gehört nicht zu denen, die hier gemeinsam gefahren werden.</translation></message>
@@ -2175,15 +2175,15 @@
         <translation>{0}: Das Board lehnt diesen Wert ab (Code 2)</translation></message>
     <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper and switch it on again</source>
         <translation>{0}: Das Board ist nicht im seriellen Modus (Code 3); schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein</translation></message>
-    <message><source>{0} could not be verified: {1} was written, but {2} was read back</source>
+    <message><source>{0} could not be verified: wrote {1}, but the board reads back {2}</source>
         <translation>{0} konnte nicht bestätigt werden: {1} geschrieben, aber {2} zurückgelesen</translation></message>
-    <message><source>{0} could not be verified: {1} was read back</source>
+    <message><source>{0} could not be verified: the board reads back {1}</source>
         <translation>{0} konnte nicht bestätigt werden: Zurückgelesen wurde {1}</translation></message>
     <message><source>{0} is for {1} inputs, but the board now reads {2} inputs</source>
         <translation>{0} gilt für die Eingangsquelle {1}, das Board liest jetzt aber {2}</translation></message>
-    <message><source>A different board now responds: {0}. Nothing was written to it.</source>
+    <message><source>Another board responds now: {0}. Nothing was written to it.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}. Es wurde nichts darauf geschrieben.</translation></message>
-    <message><source>A different board now responds: {0}. Settings may have been written to it. Compare it with its last snapshot.</source>
+    <message><source>Another board responds now: {0}. Settings may have been written to it. Compare it with its last snapshot.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}. Vielleicht wurden Einstellungen darauf geschrieben; vergleichen Sie es mit seiner letzten Sicherungskopie.</translation></message>
     <message><source>The board no longer stores the settings that were read from it: it is another board, or its settings were changed in the meantime. Nothing was written.</source>
         <translation>Das Board speichert nicht mehr die Einstellungen, die von ihm gelesen wurden: Es ist ein anderes, oder es wurde inzwischen geändert. Es wurde nichts geschrieben.</translation></message>
@@ -2257,7 +2257,7 @@
         <translation>ein Datenbyte außerhalb eines Pakets</translation></message>
     <message><source>1 byte</source>
         <translation>1 Byte</translation></message>
-    <message><source>the CRC is {0:02X}, but should be {1:02X}</source>
+    <message><source>the CRC is {0:02X}, not {1:02X}</source>
         <translation>der CRC-Wert ist {0:02X}, nicht {1:02X}</translation></message>
     <message><source>the packet is not complete</source>
         <translation>das Paket ist nicht vollständig</translation></message>
@@ -2389,7 +2389,7 @@
         <translation>Derselbe Wert in Schritten von {0}: {1} wird zu {2}.</translation></message>
     <message><source>these are settings of a {0}</source>
         <translation>dies sind Einstellungen eines {0}</translation></message>
-    <message><source>the layout of this file prevents changes in place; save the settings as a new file</source>
+    <message><source>the layout of this file cannot be changed in place; save the settings as a new file</source>
         <translation>diese Datei ist so geschrieben, dass sie sich nicht an Ort und Stelle ändern lässt; speichern Sie die Einstellungen als neue Datei</translation></message>
     <message><source>{0} {1}: the number of snapshots to keep is unknown, so none is removed.</source>
         <translation>{0} {1}: Wie viele Sicherungskopien behalten werden sollen, ist nicht bekannt, daher wird keine entfernt.</translation></message>

@@ -969,7 +969,7 @@
         <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
     <message><source>the period of a bench test must be {0:g} to {1:g} s, not {2:g} s</source>
         <translation>la période d'un essai au banc va de {0:g} à {1:g} s, pas {2:g} s</translation></message>
-    <message><source>{0} This report is doubtful, because the line is noisy and has no CRC.</source>
+    <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
         <translation>{0} Douteux : la liaison est bruitée et n'a pas de CRC.</translation></message>
     <message><source>The board does not respond; the stop is being repeated.</source>
         <translation>La carte ne répond pas ; l'ordre d'arrêt est répété.</translation></message>
@@ -987,7 +987,7 @@
         <translation>Ne laissez aucun autre programme émettre sur cette liaison.</translation></message>
     <message><source>Make other programs request fewer channels at once.</source>
         <translation>Faites en sorte que les autres programmes demandent moins de voies à la fois.</translation></message>
-    <message><source>Latched before the connection, perhaps by a scan for the board: {0}</source>
+    <message><source>Latched before connecting, perhaps by a search for the board: {0}</source>
         <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
         <translation>Connecté à {0} sur {1}.</translation></message>
@@ -1033,9 +1033,9 @@
         <translation>mesure en cours …</translation></message>
     <message><source>good: {0:.1f} % of the requests in the last {1:.0f} s were answered</source>
         <translation>bonne : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
-    <message><source>The proposed ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that the stick reliably reaches full output. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
+    <message><source>The proposed ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
         <translation>Les extrémités sont placées à l'intérieur de celles mesurées, de 1 % de la course et de trois fois le bruit, afin que la sortie maximale soit atteinte à coup sûr. La zone morte couvre le bruit au repos, mais vaut au moins {0}, car un manche ne revient pas chaque fois exactement au même endroit.</translation></message>
-    <message><source>At rest, the noise is {0}, so the deadband is twice this value.</source>
+    <message><source>At rest the noise is {0}, so the deadband is twice this value.</source>
         <translation>Au repos, son bruit est de {0} : la zone morte vaut le double.</translation></message>
     <message><source>{0}, so the channel should be reversed.</source>
         <translation>{0} ; réglage conseillé : inversée.</translation></message>
@@ -1173,7 +1173,7 @@
         <translation>Pour piloter par commandes série, activez l'interrupteur de priorité (voie 5), ou coupez l'alimentation de la carte, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>The analog channels control the motors, not serial commands.</source>
         <translation>Les voies analogiques commandent les moteurs, et non les commandes série.</translation></message>
-    <message><source>Commands without a device number would reach more than one board.</source>
+    <message><source>Commands without a device number would reach several boards.</source>
         <translation>Des commandes sans numéro d'appareil atteindraient plusieurs cartes.</translation></message>
     <message><source>Select one of the boards on this line.</source>
         <translation>Sélectionnez l'une des cartes de cette liaison.</translation></message>
@@ -1251,7 +1251,7 @@
         <translation>Aucun courant n'a été lu pendant {0:g} s.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Le moteur {0} a dépassé sa limite de courant.</translation></message>
-    <message><source>No other board replied on this line. Every board needs power, the same serial settings as the connected board, and a unique device number.</source>
+    <message><source>No other board replies on this line. Every board needs power, the same serial settings as the connected board, and a unique device number.</source>
         <translation>Aucune autre carte ne répond sur cette liaison. Chacune doit être alimentée, avoir les réglages série de celle-ci et un numéro d'appareil qui lui est propre.</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
         <translation><numerusform>%n carte sur cette liaison.</numerusform><numerusform>%n cartes sur cette liaison.</numerusform></translation></message>
@@ -1313,9 +1313,9 @@
         <translation>est ignorée : elle est maintenue au neutre, quelle que soit son entrée</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
         <translation>En mode RC ou analogique, elle {1}.</translation></message>
-    <message><source>The board now reads {0}, so it shows and accepts only the calibrations for {0}. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
+    <message><source>The board now reads {0}, so it shows and accepts only the calibrations of this source. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci, faites-lui lire : {1}. Réglez « Source des entrées des voies », appliquez, puis coupez et remettez l'alimentation de la carte.</translation></message>
-    <message><source>The board now reads {0}, so it shows and accepts only the calibrations for {0}. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
+    <message><source>The board now reads {0}, so it shows and accepts only the calibrations of this source. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
         <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci : coupez son alimentation, placez le cavalier de mode sur {2}, remettez l'alimentation.</translation></message>
     <message><source>applied {0}</source>
         <translation>appliqué le {0}</translation></message>
@@ -1901,7 +1901,7 @@
         <translation>hier {0}</translation></message>
     <message><source>This snapshot is damaged and cannot be restored. {0}</source>
         <translation>Cet instantané est endommagé et ne peut pas être restauré. {0}</translation></message>
-    <message><source>The board accepts changes only in serial mode: switch the board off, remove the mode jumper, and switch the board on. Your edits are kept.</source>
+    <message><source>The board accepts changes in serial mode only: switch the board off, remove the mode jumper, and switch the board on. Your edits are kept.</source>
         <translation>La carte n'accepte des modifications qu'en mode série : coupez son alimentation, retirez le cavalier de mode, remettez l'alimentation. Les modifications sont conservées.</translation></message>
     <message><source>Nothing was written because no snapshot could be saved first. {0}</source>
         <translation>Rien n'a été écrit, car aucun instantané n'a pu être enregistré au préalable. {0}</translation></message>
@@ -1965,7 +1965,7 @@
         <translation>0 ou 1 indique qui commande les moteurs, et non {0}</translation></message>
     <message><source>{0:#04x} names channels that a TReX does not have</source>
         <translation>{0:#04x} désigne des voies qu'un TReX n'a pas</translation></message>
-    <message><source>a parameter value must be 0 to 127, not {0}</source>
+    <message><source>a parameter number must be 0 to 127, not {0}</source>
         <translation>un paramètre va de 0 à 127, et non {0}</translation></message>
     <message><source>{0} is not a TReX result code (0 to 3)</source>
         <translation>{0} n'est pas un code de résultat du TReX (0 à 3)</translation></message>
@@ -2111,7 +2111,7 @@
         <translation>Le TReX sur {0} est dans son chargeur d'amorçage et attend un nouveau firmware. Vérifiez que les cavaliers Mix et SO–G sont retirés, puis coupez et remettez l'alimentation de la carte et connectez-vous à nouveau. Ses réglages série sont peut-être maintenant ceux d'usine : 19200 bauds, sans parité, sans CRC.</translation></message>
     <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: select the port of the TReX, or connect the adapter to the TReX.</source>
         <translation>L'appareil sur {0} répond comme un qik de Pololu, pas comme un TReX. Ce programme ne le prend pas en charge : choisissez le port du TReX, ou branchez l'adaptateur sur le TReX.</translation></message>
-    <message><source>More than one board replies on {0} at {1}. “Find” tries every device number. If two boards have the same number, switch one of them off and give the other board a different number.</source>
+    <message><source>Several boards reply at once on {0} at {1}. “Find” tries every device number. If two boards have the same number, switch one of them off and give the other board a different number.</source>
         <translation>Plusieurs cartes répondent en même temps sur {0} à {1}. « Rechercher… » interroge chaque numéro d'appareil ; si plusieurs cartes partagent le même, coupez l'alimentation de toutes sauf une et donnez à celle-ci son propre numéro.</translation></message>
     <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>Un {1} répond sur {0} à {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
@@ -2155,7 +2155,7 @@
         <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
     <message><source>Another board on this line has the device number {0}. Select an unused number.</source>
         <translation>Une autre carte de cette liaison a le numéro d'appareil {0}. Choisissez un numéro libre.</translation></message>
-    <message><source>Board {0} is no longer driven with the group: it stopped responding, was stopped, or restarted.</source>
+    <message><source>Board {0} no longer follows: it stopped responding, was stopped or restarted.</source>
         <translation>La carte {0} ne suit plus : elle s'est tue, a été arrêtée ou a redémarré.</translation></message>
     <message><source>Board {0} is not one of the boards that are driven together here.</source>
         <translation>La carte {0} n'est pas de celles qui sont conduites ensemble ici.</translation></message>
@@ -2175,15 +2175,15 @@
         <translation>{0} : la carte rejette cette valeur (code 2)</translation></message>
     <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper and switch it on again</source>
         <translation>{0} : la carte n'est pas en mode série (code 3) ; coupez l'alimentation, retirez le cavalier de mode, remettez l'alimentation</translation></message>
-    <message><source>{0} could not be verified: {1} was written, but {2} was read back</source>
+    <message><source>{0} could not be verified: wrote {1}, but the board reads back {2}</source>
         <translation>{0} n'a pas pu être vérifié : valeur écrite {1}, mais la carte renvoie {2} à la relecture</translation></message>
-    <message><source>{0} could not be verified: {1} was read back</source>
+    <message><source>{0} could not be verified: the board reads back {1}</source>
         <translation>{0} n'a pas pu être vérifié : la carte renvoie {1} à la relecture</translation></message>
     <message><source>{0} is for {1} inputs, but the board now reads {2} inputs</source>
         <translation>{0} vaut pour les entrées {1}, mais la carte lit maintenant {2}</translation></message>
-    <message><source>A different board now responds: {0}. Nothing was written to it.</source>
+    <message><source>Another board responds now: {0}. Nothing was written to it.</source>
         <translation>Une autre carte répond maintenant : {0}. Rien n'y a été écrit.</translation></message>
-    <message><source>A different board now responds: {0}. Settings may have been written to it. Compare it with its last snapshot.</source>
+    <message><source>Another board responds now: {0}. Settings may have been written to it. Compare it with its last snapshot.</source>
         <translation>Une autre carte répond maintenant : {0}. Des réglages y ont peut-être été écrits ; comparez-la à son dernier instantané.</translation></message>
     <message><source>The board no longer stores the settings that were read from it: it is another board, or its settings were changed in the meantime. Nothing was written.</source>
         <translation>La carte ne contient plus les réglages qui y ont été lus : c'est une autre carte, ou elle a été modifiée entre-temps. Rien n'a été écrit.</translation></message>
@@ -2257,7 +2257,7 @@
         <translation>un octet de données hors d'un paquet</translation></message>
     <message><source>1 byte</source>
         <translation>1 octet</translation></message>
-    <message><source>the CRC is {0:02X}, but should be {1:02X}</source>
+    <message><source>the CRC is {0:02X}, not {1:02X}</source>
         <translation>le CRC est {0:02X}, et non {1:02X}</translation></message>
     <message><source>the packet is not complete</source>
         <translation>le paquet n'est pas complet</translation></message>
@@ -2389,7 +2389,7 @@
         <translation>La même valeur par pas de {0} : {1} devient {2}.</translation></message>
     <message><source>these are settings of a {0}</source>
         <translation>ce sont des réglages d'un {0}</translation></message>
-    <message><source>the layout of this file prevents changes in place; save the settings as a new file</source>
+    <message><source>the layout of this file cannot be changed in place; save the settings as a new file</source>
         <translation>ce fichier est écrit d'une façon qui ne permet pas de le modifier sur place ; enregistrez les réglages dans un nouveau fichier</translation></message>
     <message><source>{0} {1}: the number of snapshots to keep is unknown, so none is removed.</source>
         <translation>{0} {1} : le nombre d'instantanés à conserver n'est pas connu, aucun n'est donc supprimé.</translation></message>

@@ -27,7 +27,7 @@ def test_pages_warn_of_running_motors_after_a_lost_line(
     danger = "Motor 1 may still be turning."
     for timeout, remedy, keeps_running in (
         (0.0, "Cut the power.", True),
-        (0.9, "The board should stop 0.9 s after", False),
+        (0.9, "The board should stop its motors 0.9 s after", False),
     ):
         board = start_simulator("--unpaced", "--timeout-needs-shutdown=on", "--error-shutdown=off")
         window.connect(board.url)

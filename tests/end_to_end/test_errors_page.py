@@ -41,7 +41,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
 
     quick_simulator.do("fault 1 on")
     page.wait(lambda: title("MOTOR1_FAULT") == "Motor 1 fault, active now, stops the motors")
-    assert "let it cool" in page.text("MOTOR1_FAULTText")
+    assert "let the driver cool" in page.text("MOTOR1_FAULTText")
     assert tabs.tabText(index) == "Problems (1)"
     assert window.find(QTabWidget, "tabs").tabBar().accessibleTabName(5) == "Diagnostics (1)"
     window.find(QLineEdit, "diagnosticsSearch").setText("no such problem")

@@ -130,7 +130,12 @@ def test_help_opens_without_a_board(window: WindowDriver, monkeypatch: pytest.Mo
     monkeypatch.setattr(QDesktopServices, "openUrl", open_url)
     window.trigger("guide")
     assert opened == [trex.GUIDE]
-    check_log(window, "trex", ErrorCode.OVERTAKEN_BY_STOP, "messages.md#a-stop-came-first")
+    check_log(
+        window,
+        "trex",
+        ErrorCode.OVERTAKEN_BY_STOP,
+        "messages.md#nothing-was-sent-because-a-stop-was-requested-first",
+    )
     window.program.device_manager.switch_to("aracna", lambda: None)
     assert not window.action("guide").isVisible()
     check_log(window, "aracna", RobotErrorCode.STUCK, "messages.md#the-robot-is-stuck")

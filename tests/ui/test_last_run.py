@@ -74,7 +74,7 @@ def test_unconfirmed_stops_are_reported_before_confirmed_ones(messages: Messages
     log_stops("12:00:01 unconfirmed", "12:00:02 unconfirmed", "12:00:03 confirmed")
     [(_, text)] = messages.of(report_last_run)
     first, second = text.splitlines()
-    assert "2026-11-23 12:00:01, 2026-11-23 12:00:02, which the board did not confirm" in first
+    assert "2026-11-23 12:00:01, 2026-11-23 12:00:02, but the board did not confirm" in first
     assert "2026-11-23 12:00:03, and the board confirmed" in second
 
 

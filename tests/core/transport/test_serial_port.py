@@ -265,7 +265,7 @@ def test_port_is_opened_exclusively(terminal: tuple[int, str], opened: Open) -> 
     opened(terminal[1])
     message = open_failure(terminal[1])
     assert "is in use" in message
-    assert "Close it there, then connect again." in message
+    assert "Close the port there, then connect again." in message
 
 
 @contextmanager

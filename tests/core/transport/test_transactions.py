@@ -33,7 +33,7 @@ TREX: list[tuple[Exchange, str, bool]] = [
     ((b"\x81", b"\x81TReX1.2"), "get signature → TReX 1.2", False),
     ((b"\x82", b"r"), "get mode → serial mode, RC inputs", False),
     ((b"\x82", b""), "get mode → no reply", True),
-    ((b"\x82", b"\x82"), "get mode → only its echo came back", True),
+    ((b"\x82", b"\x82"), "get mode → only the echo came back", True),
     ((b"\x81", b"TReX"), "get signature → incomplete reply", True),
     ((b"\x84", b"\x00"), "get and clear status bits → none", False),
     ((b"\x84", b"\x10"), "get and clear status bits → Motor 1 fault", False),

@@ -132,6 +132,6 @@ def test_translated_message_leads_to_its_section(qtbot: QtBot, qapp: QApplicatio
     try:
         text = error_sentence(TrexError(ErrorCode.OVERTAKEN_BY_STOP))
         assert text == "NOTHING WAS SENT, BECAUSE A STOP WAS REQUESTED FIRST."
-        assert topic(text) == "messages.md#a-stop-came-first"
+        assert topic(text) == "messages.md#nothing-was-sent-because-a-stop-was-requested-first"
     finally:
         QCoreApplication.removeTranslator(translator)

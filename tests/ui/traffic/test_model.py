@@ -161,5 +161,5 @@ def test_failed_save_is_reported_and_creates_no_file(
     write = partial(harness.traffic.write, rows=harness.traffic.everything.rows)
     with qtbot.waitSignal(notifier.error) as failed:
         write_in_background(notifier, path, write, notifier, str)
-    assert failed.args == ["line.txt: It cannot be written: No such file or directory."]
+    assert failed.args == ["line.txt: The file cannot be written: No such file or directory."]
     assert list(tmp_path.iterdir()) == []

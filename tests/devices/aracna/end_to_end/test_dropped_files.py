@@ -56,7 +56,7 @@ def test_dropped_files_open_in_their_workspace(
         assert "a pose file of an Aracna (.ppr)" in banner(window)
 
     assert window.drop(write_file("a.ppr", POSES), write_file("b.ppr", POSES))
-    reason = "2 files were dropped, and none was opened: drop one file at a time."
+    reason = "None of the 2 dropped files was opened. Drop one file at a time."
     window.wait_for_text("bannerText", reason)
 
     monkeypatch.setattr(QMessageBox, "question", cancel)

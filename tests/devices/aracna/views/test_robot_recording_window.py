@@ -161,7 +161,7 @@ def test_damaged_recording_reports_problem_and_shows_rest(tmp_path: Path, qtbot:
     text = window.text("bannerText")
     assert "This recording is not complete." in text
     assert "The recording was not closed properly" in text
-    assert "Record 3 cannot be read: motor_0_goal_units is not INTEGER." in text
+    assert "Record 3 cannot be read: motor_0_goal_units is not of type INTEGER." in text
     window.playback.set_position(window.playback.end)
     assert window.value(0, "Present") == "201 = 58.9°"
 

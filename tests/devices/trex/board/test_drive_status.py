@@ -67,7 +67,7 @@ OTHER_DRIVER_RUNS = DriveInputs(board=SERIAL, other_driver="alice", other_speeds
             [DriveBlocker.SILENT],
             "does not respond. Check its power and the cable.",  # no motor was driven
         ),
-        (DriveInputs(), [DriveBlocker.UNKNOWN], "not reported yet"),
+        (DriveInputs(), [DriveBlocker.UNKNOWN], "not yet reported"),
         (
             DriveInputs(board=replace(SERIAL, by_serial=False), is_available=False),
             [DriveBlocker.NOT_SERIAL],
@@ -87,7 +87,7 @@ OTHER_DRIVER_RUNS = DriveInputs(board=SERIAL, other_driver="alice", other_speeds
         (
             DriveInputs(board=SERIAL, may_move=True, locked_for=2.2),
             [DriveBlocker.STOPPING],
-            "motors may still turn",
+            "Motors may still be turning",
         ),
         (
             DriveInputs(board=replace(SERIAL, faults=(1,)), locked_for=2.2),
@@ -102,7 +102,7 @@ OTHER_DRIVER_RUNS = DriveInputs(board=SERIAL, other_driver="alice", other_speeds
         (
             DriveInputs(board=replace(SERIAL, faults=(1, 2), doubtful=(2,))),
             [DriveBlocker.FAULT, DriveBlocker.FAULT, DriveBlocker.NOT_ARMED],
-            "low voltage). Reduce",  # the fault of motor 1 is not doubtful
+            "low voltage. Reduce",  # the fault of motor 1 is not doubtful
         ),
         (
             DriveInputs(board=replace(SERIAL, faults=(2,)), armed=True),

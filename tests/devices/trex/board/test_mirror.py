@@ -358,7 +358,7 @@ def test_noisy_line_is_logged_when_it_begins_and_ends(harness: MirrorHarness) ->
         lost += 6 if second < 20 else 0
         harness.sample(Control(float(second), by_serial=True), requests=requests, missing=lost)
     assert [text for _, _, text in harness.logged[1:]] == [
-        "The line is noisy: 3.0 % lost",
+        "The line is noisy: 3.0 % of the replies were lost or corrupted",
         "The line is good again",
     ]
     assert QualityChanged() in harness.events
@@ -385,7 +385,7 @@ def test_timeout_stop_is_known_after_disconnecting(harness: MirrorHarness) -> No
     assert harness.board.silence_remedy == "Cut the power."
     harness.read(state(serial_timeout=5, uart_error_shutdown=1))
     harness.close()
-    assert "should stop 0.5 s after" in harness.board.silence_remedy
+    assert "should stop its motors 0.5 s after" in harness.board.silence_remedy
     harness.board.memory.record_trial(TimeoutTrial(stopped=True, shutdown=True))
     assert harness.timeout_stop() is TimeoutStop.TRIED
 

@@ -40,7 +40,9 @@ def test_quality_is_unknown_until_enough_is_measured() -> None:
     assert line.quality.is_noisy is None
     assert quality_text(line.quality) == "being measured …"
     assert line.run(4) == [False]
-    assert quality_text(line.quality) == "good: 100.0 % of the requests of the last 6 s answered"
+    assert (
+        quality_text(line.quality) == "good: 100.0 % of the requests in the last 6 s were answered"
+    )
 
 
 @pytest.mark.parametrize(
@@ -53,7 +55,7 @@ def test_share_of_lost_transactions_is_measured(failures: dict[str, float]) -> N
     assert line.quality.rate == pytest.approx(190, abs=1)
     assert 10 <= line.quality.seconds < 13
     text = quality_text(line.quality)
-    assert text.startswith("noisy: 97.4 % of the requests of the last 1")
+    assert text.startswith("noisy: 97.4 % of the requests in the last 1")
 
 
 def test_stray_bytes_make_a_line_noisy_without_lost_replies() -> None:

@@ -158,7 +158,7 @@ def test_unsuitable_travel_is_reported(
 def test_too_little_travel_is_reported_with_required_travel() -> None:
     (problem,) = learn(Stick(low=1450, high=1550)).problems
     assert problem.kind is ProblemKind.TOO_LITTLE
-    assert "81 µs are needed" in problem_text(problem)
+    assert "81 µs is needed" in problem_text(problem)
     assert "127 speeds" in problem_text(problem)
 
 
@@ -245,7 +245,7 @@ def test_switch_resting_low_is_reversed_to_be_off_at_rest() -> None:
     proposal = learn(THROTTLE, channel=5)
     assert proposal.problems == ()
     assert proposal.reversed_
-    assert "than the rest position" in proposal.reversed_reason
+    assert "than at rest" in proposal.reversed_reason
     assert proposal.calibration is not None
     assert proposal.calibration.problem() is None
 
@@ -309,7 +309,7 @@ def test_full_speed_beyond_throttle_rest_is_reported() -> None:
     assert "to 127 of 127" in problem_text(problem)
     stick = Stick(rest=0.3, low=0.3, high=4.5, source=InputSource.ANALOG)
     (problem,) = check(stick, 3).problems
-    assert "at 0.00 V to 127 of 127" in problem_text(problem)
+    assert "at 0.00 V, to 127 of 127" in problem_text(problem)
     assert "broken wire" in problem_text(problem)
 
 

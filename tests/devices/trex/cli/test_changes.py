@@ -318,7 +318,7 @@ def test_forced_open_value_is_stored_and_recorded(
     trexcmd("set-settings", str(file))
     file.write_text("product: TReX\nreversed_channels: 33\n", encoding="utf-8")
     result = trexcmd("set-settings", str(file), exits=1)
-    assert "line 2: warning: reversed_channels: 0 to 31" in result.stderr
+    assert "line 2: warning: reversed_channels: should be 0 to 31" in result.stderr
     assert "--force lets the board decide" in result.stderr
     quick_simulator.do("accept reversed_channels 127")
     trexcmd("set-settings", str(file), "--force")

@@ -78,8 +78,8 @@ def test_dry_run_prints_both_values_and_writes_nothing(
     ("changes", "sentence"),
     [
         ({"product": "TReX Jr"}, "settings of a TReX Jr, but the board is a TReX 1.2"),
-        ({"serial_timeout": 200}, "line 7: serial_timeout: 0 to 127"),
-        ({"motor_mode": "joint"}, "motor_mode: 0 (independent) or 1"),
+        ({"serial_timeout": 200}, "line 7: serial_timeout: must be 0 to 127"),
+        ({"motor_mode": "joint"}, "motor_mode: must be 0 (independent) or 1"),
     ],
 )
 def test_unsuitable_file_is_rejected_and_nothing_is_written(
@@ -133,7 +133,7 @@ def test_check_settings_names_each_error_with_its_line(
 ) -> None:
     file, out = changed(saved, serial_timeout=200, motor_mode=7), tmp_path / "out.txt"
     result = trexcmd("check-settings", str(file), str(out), exits=1)
-    assert f"{file}: line 7: serial_timeout: 0 to 127" in result.stderr
+    assert f"{file}: line 7: serial_timeout: must be 0 to 127" in result.stderr
     assert "motor_mode" in result.stderr
     assert "2 errors" in result.stderr
     assert not out.exists()
@@ -172,7 +172,9 @@ def test_check_settings_copies_file_and_terminates_last_line(
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
     whole = ("\ufeff" + COMMENTED.replace("\n", "\r\n")).encode()
     file.write_bytes(whole.rstrip())
-    assert "the last line has no end" in trexcmd("check-settings", str(file), str(out)).stderr
+    assert (
+        "the last line has no line break" in trexcmd("check-settings", str(file), str(out)).stderr
+    )
     assert out.read_bytes() == whole
     assert "no end" not in trexcmd("check-settings", str(out), str(file)).stderr
     assert file.read_bytes() == whole

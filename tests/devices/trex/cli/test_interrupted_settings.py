@@ -193,7 +193,7 @@ def test_new_device_number_is_printed_for_expanded_protocol(
     path, options = tmp_path / "number.txt", ("--protocol", "expanded")
     messages = write_values(trexcmd, path, *options, **values)
     url = quick_simulator.url
-    now = f"Reach the board with --port {url} --baud 19200 --protocol expanded --device 9 from"
+    now = f"From now on, connect with --port {url} --baud 19200 --protocol expanded --device 9."
     later = f"connect with --port {url} --baud 57600 --protocol expanded --device 9\n"
     assert now in messages
     assert later in messages

@@ -214,7 +214,7 @@ def test_motor_2_in_joint_mode_prints_a_warning(
 ) -> None:
     trexcmd("set", "motor_mode", "joint")
     quick_simulator.do("power cycle")
-    assert "motor 2 is ignored" in trexcmd("motor", "2", "5", "--seconds", "0.01").stderr
+    assert "Motor 2 ignores commands" in trexcmd("motor", "2", "5", "--seconds", "0.01").stderr
 
 
 def test_motor_fault_ends_the_run(start: StartCommand, quick_simulator: SimulatedDevice) -> None:

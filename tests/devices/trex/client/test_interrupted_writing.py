@@ -439,7 +439,7 @@ def test_changed_input_source_retains_its_calibrations() -> None:
             assert analog == DEFAULT_CALIBRATION[InputSource.ANALOG]
         failed = [str(result.error) for result in attempt.results if result.error is not None]
         assert failed
-        refused += "is for RC inputs, but the board reads analog now" in failed[0]
+        refused += "is for RC inputs, but the board now reads analog inputs" in failed[0]
     assert refused > 0
 
 
@@ -514,7 +514,7 @@ def test_possible_factory_line_settings_are_reported() -> None:
     assert last.key == "uart_settings"
     assert isinstance(last.error, NoReply)
     assert str(last.error).endswith(
-        "UART Settings may have gone back to the factory default: after a power cycle the board "
+        "UART Settings may have been reset to the factory default: after a power cycle, the board "
         "would run at 19200 baud, no error detection, 1 stop bit"
     )
 

@@ -254,7 +254,7 @@ def test_rejected_input_source_is_named_in_french(qapp: QApplication) -> None:
     request = SessionHarness(board).client().request
     with in_language(qapp, QLocale("fr")), pytest.raises(BadReply) as caught:
         write_calibration(request, CalibrationKey.RC_CHANNEL_1, LEARNED)
-    assert "is for RC inputs, but the board reads analogique now" in str(caught.value)
+    assert "is for RC inputs, but the board now reads analogique inputs" in str(caught.value)
 
 
 # --- Several settings -------------------------------------------------------------------

@@ -19,6 +19,8 @@ AT_REST = {
     InputSource.ANALOG: dict.fromkeys(CHANNELS, 512),
 }
 
+SHUT_DOWN = "its driver shut down because of overheating, a short circuit or low voltage."
+
 
 def reason_texts(
     counts: dict[int, int | None],
@@ -99,12 +101,12 @@ def test_reasons_that_stop_motors_come_first() -> None:
     assert [reason.text() for reason in board_reasons(board)] == [
         "Channel 1 is required but has no signal.",
         "Channel 2 is 180 µs above neutral.",
-        "Motor 1 is off: its driver shut down (too hot, a short circuit, or low voltage).",
-        "Motor 2 is off: its driver shut down (too hot, a short circuit, or low voltage).",
+        f"Motor 1 is off: {SHUT_DOWN}",
+        f"Motor 2 is off: {SHUT_DOWN}",
         "Serial timeout: the board received nothing for 0.5 s.",
         "Serial errors (parity error): the board stops the motors when bytes arrive corrupted.",
         "The RC channels control the motors, not serial commands.",
-        "Motor 2 is slowed down: current over the limit.",
+        "Motor 2 is slowed down: its current exceeds the limit.",
         "Joint mode: both drivers work as one motor.",
     ]
 

@@ -17,7 +17,9 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 CUT = "Cut the power."
-SHOULD_STOP = "The board should stop 0.5 s after the last byte; if not, cut the power."
+SHOULD_STOP = (
+    "The board should stop its motors 0.5 s after the last byte. If it does not, cut the power."
+)
 
 
 def keeps_turning(timeout: int, shutdown: int, *, needs_shutdown: bool) -> bool:

@@ -214,7 +214,7 @@ def test_nothing_is_sent_to_several_boards_at_once(new_line: NewLine) -> None:
     device.writer.reset_to_factory()
     assert not device.writer.running
     harness.wait(lambda: len(harness.errors) == 3)
-    assert all("it would reach several boards" in error for error in harness.errors)
+    assert all("the write would reach every board" in error for error in harness.errors)
     # A review selects a board by its number.
     ApplyHarness(harness).review_and_wait(settings_of(serial_timeout=5), 7)
     assert device.settings is not None

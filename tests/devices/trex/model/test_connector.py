@@ -86,7 +86,7 @@ def test_scan_sends_only_to_one_number_on_a_shared_line(
         scanner.start([port], full=True)
         setup.until(partial(scanner_is_idle, scanner))
         assert sent == bytes.fromhex("80 07 01")
-        assert "Other devices share the line" in scanner.findings[0].text
+        assert "other devices share the line" in scanner.findings[0].text
         sent.clear()
         scanner.start([setup.ports.current_entry(port) or port], only_recall=True)  # compact packet
         setup.until(partial(scanner_is_idle, scanner))
@@ -271,7 +271,7 @@ def test_missing_simulator_program_is_reported(
     )
     with qtbot.waitSignal(demo.failed) as failed:
         demo.start()
-    assert "does not start" in failed.args[0]
+    assert "could not be started" in failed.args[0]
 
 
 def test_frozen_program_runs_itself_as_simulator(monkeypatch: pytest.MonkeyPatch) -> None:

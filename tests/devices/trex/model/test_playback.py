@@ -334,7 +334,7 @@ def test_read_error_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     playback._recording.close()
     with qtbot.waitSignal(playback.failed) as failed:
         playback.start_loading()
-    assert "a.trexrec: It cannot be read" in failed.args[0]
+    assert "a.trexrec: The file cannot be read" in failed.args[0]
     playback.close()
 
 

@@ -154,7 +154,7 @@ def test_recording_in_progress_is_rejected(path: Path) -> None:
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
     writer.write(records)
     writer.commit()
-    with pytest.raises(RecordingError, match="still being recorded"):
+    with pytest.raises(RecordingError, match="still running"):
         open_recording(path)
     writer.write(records)
     writer.finish()
@@ -268,13 +268,13 @@ def test_database_of_another_program_is_rejected(path: Path) -> None:
 @pytest.mark.parametrize(
     ("statement", "message"),
     [
-        ("PRAGMA user_version = 2", "format, 2, is unknown. A later version"),
+        ("PRAGMA user_version = 2", r"format of the file \(2\) is unknown. A later version"),
         ("DROP TABLE marker", "The table marker is missing"),
         ("DELETE FROM header WHERE key = 'model'", r"the header is incomplete \('model'\)"),
         ("UPDATE header SET value = 'no' WHERE key = 'model'", "the header is incomplete"),
         ("UPDATE header SET value = 'soon' WHERE key = 'started_utc'", "Invalid isoformat"),
         *(
-            (f"UPDATE header SET value = {clock} WHERE key = 'clock_s'", "It is damaged")
+            (f"UPDATE header SET value = {clock} WHERE key = 'clock_s'", "The file is damaged")
             for clock in ("9e999", "-9e999", "1e308", "-1e308", "'soon'")
         ),
         (
@@ -331,10 +331,10 @@ def test_recording_without_one_kind_of_sample_is_read(
         ("UPDATE mode SET mode = 'x'", "'x' is not a valid Mode"),
         ("UPDATE mode SET clock_s = 'noon'", "its time is not a number"),
         *(
-            (f"UPDATE mode SET clock_s = {clock}", "its time is not in the recording.")
+            (f"UPDATE mode SET clock_s = {clock}", "its time is outside the recording.")
             for clock in ("9e999", "-9e999", "1e308", "-1e308", "1e9")
         ),
-        ("UPDATE mode SET mode = x'00'", "mode is not TEXT"),
+        ("UPDATE mode SET mode = x'00'", "mode is not of type TEXT"),
     ],
 )
 def test_damaged_record_is_skipped_and_reported(path: Path, statement: str, problem: str) -> None:
@@ -389,7 +389,7 @@ def test_disk_that_fails_while_reading_is_reported(folder: Path) -> None:
     write(folder / "a.trexrec", list(drive_records(1)))
     recording = open_recording(folder / "a.trexrec")
     recording.close()
-    with pytest.raises(RecordingError, match=r"a\.trexrec: It cannot be read"):
+    with pytest.raises(RecordingError, match=r"a\.trexrec: The file cannot be read"):
         recording.read(1, CHUNK)
 
 

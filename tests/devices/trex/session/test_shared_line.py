@@ -123,5 +123,5 @@ def test_reserved_numbers_are_packed_with_the_line_settings() -> None:
 
 @pytest.mark.parametrize("number", [None, 9])
 def test_board_on_shared_line_needs_a_unique_number(number: int | None) -> None:
-    with pytest.raises(BadRequest, match="a number that no other device has"):
+    with pytest.raises(BadRequest, match="a device number that no other device on the line has"):
         _ = replace(SHARED, device_number=number).framing

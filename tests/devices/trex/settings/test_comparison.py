@@ -131,7 +131,8 @@ def test_equal_settings_have_empty_report() -> None:
 def test_parameter_missing_in_older_firmware_is_left_out() -> None:
     old, new = factory("trex", "1.1"), changed(factory("trex", "1.2"), uart_response_delay=1)
     sentence = (
-        "Enable UART Response Delay (1 ms) is left out: a TReX with firmware 1.1 does not have it."
+        "Enable UART Response Delay (1 ms) is left out: a TReX with firmware 1.1 does not have "
+        "this setting."
     )
     for comparison in (compare(old, new), compare(new, old)):
         assert comparison.left_out == (sentence,)

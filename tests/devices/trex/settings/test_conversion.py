@@ -27,12 +27,12 @@ def test_conversion_for_same_board_changes_no_setting() -> None:
     ("source", "target", "wire", "converted", "reason"),
     [
         (TREX, TREX_JR, 20, 75, "The same value in steps of 0.08 A: 20 becomes 75."),
-        (TREX, TREX_JR, 127, 127, "A TReX Jr has at most 10.16 A."),
+        (TREX, TREX_JR, 127, 127, "The maximum for a TReX Jr is 10.16 A."),
         (TREX, TREX_JR, 1, 3, "Rounded down to steps of 0.08 A: 1 becomes 3."),
         (TREX_JR, TREX, 60, 16, "The same value in steps of 0.3 A: 60 becomes 16."),
         (TREX_JR, TREX, 63, 16, "Rounded down to steps of 0.3 A: 63 becomes 16."),
         (TREX_JR, TREX, 5, 1, "Rounded down to steps of 0.3 A: 5 becomes 1."),
-        (TREX_JR, TREX, 1, 1, "A TReX has at least 0.3 A; 0 switches it off (twin)."),
+        (TREX_JR, TREX, 1, 1, "The minimum for a TReX is 0.3 A; 0 means off (twin)."),
         (TREX_JR, TREX, 0, 0, ""),
     ],
 )
@@ -80,4 +80,4 @@ def test_conversion_to_older_firmware_omits_newer_parameter() -> None:
     older = convert(settings, TREX, "1.0")
     assert older.settings.parameters == {"uart_settings": wire}, "this firmware has no such rate"
     assert fates(older)["uart_response_delay"] is Fate.LEFT_OUT
-    assert older.rows[0].reason == "A TReX with firmware 1.0 does not have it."
+    assert older.rows[0].reason == "A TReX with firmware 1.0 does not have this setting."

@@ -341,7 +341,7 @@ def test_pipe_among_the_snapshots_is_not_opened(history: SettingsHistory) -> Non
     os.mkfifo(history.folder / "20260101T120000Z-trex-1.3.txt")
     os.mkfifo(history.folder / "history.txt")
     (snapshot,) = history.snapshots()
-    assert snapshot.problem == "It cannot be read: it is not an ordinary file."
+    assert snapshot.problem == "The file cannot be read: it is not an ordinary file."
     assert "cannot be read" in history.limit().problem
 
 

@@ -95,7 +95,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Expected(
                 "limit_in_joint_mode",
                 "No effect in joint mode: Motor 1 Current Limit (3 A) and Motor 2 Current Limit (6 "
-                "A). The board measures no current then, so the motor is not protected.",
+                "A). In this mode the board measures no current, so the motor is not protected.",
                 ("motor_mode", "motor1_current_limit", "motor2_current_limit"),
                 {"motor1_current_limit": 0, "motor2_current_limit": 0},
                 "Set Motor 1 Current Limit and Motor 2 Current Limit to off",
@@ -132,8 +132,8 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Expected(
                 "pwm_above_rating",
                 "The PWM of motor 2 runs at 19.5 kHz (inferred), but the motor driver of a TReX "
-                "Jr is rated for 10 kHz; above that it gets hot. The prescaler clock / 64 gives "
-                "2.44 kHz.",
+                "Jr is rated for 10 kHz. Above this frequency, the driver gets hot. Prescaler "
+                "clock / 64 gives 2.44 kHz.",
                 ("motor2_pwm_prescaler", "motor2_pwm_maximum"),
                 {"motor2_pwm_prescaler": 1},
                 "Set Motor 2 PWM Prescaler to clock / 64",

@@ -55,13 +55,16 @@ def test_file_without_firmware_may_lack_newer_parameter() -> None:
 def test_unterminated_last_line_is_read_with_warning() -> None:
     settings, findings = read_settings("product: TReX\n\nserial_timeout: 1")
     assert settings.parameters == {"serial_timeout": 1}
-    assert str(findings[0]) == "line 3: warning: the last line has no end; was the file cut short?"
+    assert (
+        str(findings[0])
+        == "line 3: warning: the last line has no line break; was the file cut short?"
+    )
 
 
 def test_unknown_firmware_gives_warning() -> None:
     settings, findings = read_settings("product: TReX\nfirmware: 1.10\n")
     assert settings.firmware == "1.10"
-    expected = "line 2: warning: firmware: versions 1.0 to 1.3 are known, 1.10 is not"
+    expected = "line 2: warning: firmware: versions 1.0 to 1.3 are known, but 1.10 is not"
     assert str(findings[0]) == expected
 
 
@@ -71,42 +74,45 @@ def test_unknown_firmware_gives_warning() -> None:
 @pytest.mark.parametrize(
     ("setting", "sentence"),
     [
-        ("serial_timeout: 300", "serial_timeout: 0 to 127 (off to 12.7 s), not 300"),
-        ("serial_timeout: 1.5", "serial_timeout: 0 to 127 (off to 12.7 s), not 1.5"),
+        ("serial_timeout: 300", "serial_timeout: must be 0 to 127 (off to 12.7 s), not 300"),
+        ("serial_timeout: 1.5", "serial_timeout: must be 0 to 127 (off to 12.7 s), not 1.5"),
         (
             "serial_timeout: 1.5 s",
-            "serial_timeout: 0 to 127 (off to 12.7 s), not 1.5 s; 1.5 s is written 15",
+            "serial_timeout: must be 0 to 127 (off to 12.7 s), not 1.5 s; write 15 for 1.5 s",
         ),
         (
             "serial_timeout: 1,000 ms",
             (
-                "serial_timeout: 0 to 127 (off to 12.7 s), not 1,000 ms; "
+                "serial_timeout: must be 0 to 127 (off to 12.7 s), not 1,000 ms; "
                 "1,000 is ambiguous: write 1 or 1000"
             ),
         ),
         (
             "serial_timeout: '5'",
-            "serial_timeout: 0 to 127 (off to 12.7 s), not 5 in quotes; write 5",
+            "serial_timeout: must be 0 to 127 (off to 12.7 s), not 5 in quotes; write 5",
         ),
-        ("serial_timeout:", "serial_timeout: 0 to 127 (off to 12.7 s), not nothing"),
-        ("serial_timeout: [5]", "serial_timeout: 0 to 127 (off to 12.7 s), not a list"),
+        ("serial_timeout:", "serial_timeout: must be 0 to 127 (off to 12.7 s), not nothing"),
+        ("serial_timeout: [5]", "serial_timeout: must be 0 to 127 (off to 12.7 s), not a list"),
         (
             "serial_timeout: {a: 5}",
-            "serial_timeout: 0 to 127 (off to 12.7 s), not a group of settings",
+            "serial_timeout: must be 0 to 127 (off to 12.7 s), not a group of settings",
         ),
-        ("serial_timeout: |\n  5", "serial_timeout: 0 to 127 (off to 12.7 s), not a block of text"),
-        ("device_number: 010", "device_number: 0 to 127, not 010"),
-        ("device_number: true", "device_number: 0 to 127, not true"),
-        (f"device_number: {'9' * 5000}", f"device_number: 0 to 127, not {'9' * 40}…"),
+        (
+            "serial_timeout: |\n  5",
+            "serial_timeout: must be 0 to 127 (off to 12.7 s), not a block of text",
+        ),
+        ("device_number: 010", "device_number: must be 0 to 127, not 010"),
+        ("device_number: true", "device_number: must be 0 to 127, not true"),
+        (f"device_number: {'9' * 5000}", f"device_number: must be 0 to 127, not {'9' * 40}…"),
         (
             "motor_mode: joint",
-            "motor_mode: 0 (independent) or 1 (joint), not joint; joint is written 1",
+            "motor_mode: must be 0 (independent) or 1 (joint), not joint; write 1 for joint",
         ),
-        ("uart_error_shutdown: yes", "uart_error_shutdown: 0 (off) or 1 (on), not yes"),
+        ("uart_error_shutdown: yes", "uart_error_shutdown: must be 0 (off) or 1 (on), not yes"),
         ("uart_settings: 0xFFF", f"uart_settings: {UART_RANGE}, not 0xFFF"),
         (
             "crc7_polynomial: 0x89",
-            "crc7_polynomial: 0 to 127 (0x80 to 0xFF), not 0x89; 0x89 is written 9",
+            "crc7_polynomial: must be 0 to 127 (0x80 to 0xFF), not 0x89; write 9 for 0x89",
         ),
         (
             "serial_timeot: 5",
@@ -115,11 +121,14 @@ def test_unknown_firmware_gives_warning() -> None:
         ("rc_chanel_3: 5", "rc_chanel_3: there is no such setting; did you mean rc_channel_3?"),
         ("hovercraft: 5", "hovercraft: there is no such setting"),
         ("factory_reset: 127", "factory_reset: is a command to the board, not a setting"),
-        ("firmware: new", "firmware: a version such as 1.3, not new"),
+        ("firmware: new", "firmware: must be a version such as 1.3, not new"),
         ("[a, b]: 5", "there must be a name before the colon, not a list or a group"),
         (
             "rc_channel_1: 5",
-            "rc_channel_1: is written {minimum: …, neutral: …, maximum: …, deadband: …}, not 5",
+            (
+                "rc_channel_1: must be written as {minimum: …, neutral: …, maximum: …, "
+                "deadband: …}, not 5"
+            ),
         ),
         ("rc_channel_1: {minimum: 1, neutral: 2, maximum: 3}", "rc_channel_1: deadband is missing"),
         (
@@ -132,7 +141,7 @@ def test_unknown_firmware_gives_warning() -> None:
         ),
         (
             "rc_channel_1: {minimum: 1, neutral: 2, maximum: 3, deadband: 0, neutral: 5}",
-            "rc_channel_1: neutral was given in line 2 already",
+            "rc_channel_1: neutral was already given in line 2",
         ),
         (
             "rc_channel_1: {minimum: 1, neutral: 2, maximum: 16384, deadband: 0}",
@@ -158,7 +167,7 @@ def test_invalid_setting_is_reported_with_line_and_reason(setting: str, sentence
 
 def test_repeated_setting_is_reported_with_first_line() -> None:
     text = "product: TReX\nserial_timeout: 5\n\nserial_timeout: 5\n"
-    assert only_error(text) == "line 4: serial_timeout: was given in line 2 already"
+    assert only_error(text) == "line 4: serial_timeout: was already given in line 2"
 
 
 @pytest.mark.parametrize(
@@ -166,25 +175,25 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
     [
         (
             "product: Tic T825\ncontrol_mode: serial\n",
-            "line 1: product: TReX or TReX Jr, not Tic T825; these are not settings of a TReX",
+            "line 1: product: must be TReX or TReX Jr, not Tic T825; these are not settings of a TReX",
         ),
         (
             "product: trex jr\n",
-            "line 1: product: TReX or TReX Jr, not trex jr; did you mean TReX Jr?",
+            "line 1: product: must be TReX or TReX Jr, not trex jr; did you mean TReX Jr?",
         ),
         (
             "product:\n",
-            "line 1: product: TReX or TReX Jr, not nothing; these are not settings of a TReX",
+            "line 1: product: must be TReX or TReX Jr, not nothing; these are not settings of a TReX",
         ),
         (
             "\nserial_timeout: 5\n",
-            f"line 1: the first setting is {EITHER_PRODUCT}; this file has none",
+            f"line 1: the first setting must be {EITHER_PRODUCT}, but this file has no product",
         ),
         (
             "serial_timeout: 5\nproduct: TReX\n",
             "line 2: product: must be the first setting of the file",
         ),
-        ("", "line 1: there are no settings here; the first is 'product: TReX'"),
+        ("", "line 1: there are no settings here; the first must be 'product: TReX'"),
         *((text, FOREIGN) for text in ("TReX\n", "- TReX\n", "[board]\nx = 1\n")),
         ("# QGroundControl\n1\t1\tACRO_BAL_PITCH\t1.0\t9\n1\t1\tX\t3\t9\n", FOREIGN),
         ("INPUT_MODE\tSERIAL\nINPUT_MINIMUM\t0\n", FOREIGN),
@@ -207,7 +216,8 @@ def test_tabs_that_yaml_allows_are_read() -> None:
 def test_parameter_of_newer_firmware_is_reported() -> None:
     text = "product: TReX Jr\nfirmware: 1.1\nuart_response_delay: 0\n"
     assert only_error(text) == (
-        "line 3: uart_response_delay: a TReX Jr has it from firmware 1.2 on, these are for 1.1"
+        "line 3: uart_response_delay: a TReX Jr has this setting only from firmware 1.2 on, "
+        "but the file is for 1.1"
     )
 
 
@@ -216,7 +226,7 @@ def test_parameter_of_other_product_is_reported(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setitem(rows["uart_response_delay"], "models", ["trex"])
     text = "product: TReX Jr\nfirmware: 1.1\nuart_response_delay: 0\n"
     assert only_error(text) == (
-        "line 3: uart_response_delay: a TReX Jr does not have it, whatever its firmware"
+        "line 3: uart_response_delay: a TReX Jr does not have this setting in any firmware"
     )
 
 
@@ -283,7 +293,7 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
         ("product: TReX\n".encode("utf-16"), 1, "this is UTF-16 text"),
         (b"product: TReX\n# 30 \xb5s\n", 2, "not UTF-8"),
         ("product: TReX\n# \ud800\n", 2, "not UTF-8"),
-        ("product: TReX\n\n\x1b[2J", 3, "U+001B has no place"),
+        ("product: TReX\n\n\x1b[2J", 3, "U+001B is not allowed"),
         ("product: TReX\n\tserial_timeout: 5\n", 2, "a tab indents this line"),
         ("product:TReX\nmotor_mode: 1\n", 1, "an ordinary space after the colon"),
         ("product:\xa0TReX\nmotor_mode: 1\n", 1, "an ordinary space after the colon"),

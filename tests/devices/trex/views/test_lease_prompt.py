@@ -106,7 +106,7 @@ def test_user_is_notified_of_the_handover(served: ServedWindow) -> None:
 
 def test_silent_network_is_distinguished_from_a_silent_board(served: ServedWindow) -> None:
     served.report(NotResponding("silent", Counters(), is_network=True))
-    assert any("network to the robot is silent" in text for text in texts(served))
+    assert any("server of the robot does not respond" in text for text in texts(served))
     served.report(NotResponding("silent", Counters()))
     assert any("board does not respond" in text for text in texts(served))
 

@@ -90,7 +90,7 @@ def motor_setpoint(motor: int, inputs: DriveInputs, newest: Newest, sent: int) -
     )
 
 
-_DOUBTFUL = tr_noop("{0} This report is doubtful, because the line is noisy and has no CRC.")
+_DOUBTFUL = tr_noop("{0} Doubtful: the line is noisy and has no CRC.")
 _SILENT_WHILE_DRIVEN = tr_noop("The board does not respond; the stop is being repeated.")
 
 

@@ -232,7 +232,7 @@ def _earlier(latched: LatchedStatus) -> Event:
         for entry in UNSEEN
         if is_latched(entry.bit, latched) and entry.bit is not hidden
     )
-    text = tr("Latched before the connection, perhaps by a scan for the board: {0}")
+    text = tr("Latched before connecting, perhaps by a search for the board: {0}")
     return Event(latched.time, EventKind.LINK, text.format(names))
 
 

@@ -15,9 +15,9 @@ _MIN_IDLE = 1 / 3  # minimum distance of an unreached end, as a fraction of the 
 
 WHY_THESE_VALUES = tr_noop(
     "The proposed ends lie inside the measured ends by 1 % of the travel plus three times "
-    "the noise, so that the stick reliably reaches full output. The deadband covers the "
-    "noise at rest, but is at least {0}, because a stick does not return to exactly the same "
-    "position each time."
+    "the noise, so that full output is reliably reached. The deadband covers the noise at "
+    "rest, but is at least {0}, because a stick does not return to exactly the same position "
+    "each time."
 )
 """Reasons common to all channels. `{0}` is the smallest deadband."""
 
@@ -46,7 +46,7 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
         return Proposal(None, reversed_now, "", (), problems)
     reasons = [_ends_reason(neutral, travel)]
     if neutral.noise > deadband_floor(neutral.source):
-        text = tr("At rest, the noise is {0}, so the deadband is twice this value.")
+        text = tr("At rest the noise is {0}, so the deadband is twice this value.")
         reasons.append(text.format(neutral.noise_text))
     reversed_, reversed_reason = _reversal(travel, reversed_now=reversed_now)
     return Proposal(calibration, reversed_, reversed_reason, tuple(reasons), problems)

@@ -128,7 +128,7 @@ class DriveBlocker(Enum):
     )
     SEVERAL_BOARDS = (
         Effect.BLOCKS,
-        tr_noop("Commands without a device number would reach more than one board."),
+        tr_noop("Commands without a device number would reach several boards."),
         tr_noop("Select one of the boards on this line."),
     )
     GROUP = (

@@ -159,7 +159,7 @@ class BoardList(QObject):
         self.boards = tuple(present)
         self._save_numbers()
         text = tr(
-            "No other board replied on this line. Every board needs power, the same serial "
+            "No other board replies on this line. Every board needs power, the same serial "
             "settings as the connected board, and a unique device number."
         )
         if len(present) > 1:

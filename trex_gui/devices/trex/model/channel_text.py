@@ -104,15 +104,15 @@ def function_text(
 def source_instructions(source: InputSource, mode: Mode) -> str:
     if mode.is_serial:
         text = tr(
-            "The board now reads {0}, so it shows and accepts only the calibrations for {0}. "
-            "To see the calibrations for {1}, set Channel Input Source, apply, and switch "
-            "the board off and on."
+            "The board now reads {0}, so it shows and accepts only the calibrations of this "
+            "source. To see the calibrations for {1}, set Channel Input Source, apply, and "
+            "switch the board off and on."
         )
     else:
         text = tr(
-            "The board now reads {0}, so it shows and accepts only the calibrations for {0}. "
-            "To see these calibrations, switch the board off, set the mode jumper to {2}, "
-            "and switch the board on."
+            "The board now reads {0}, so it shows and accepts only the calibrations of this "
+            "source. To see these calibrations, switch the board off, set the mode jumper to "
+            "{2}, and switch the board on."
         )
     return text.format(tr(SOURCE_NAMES[mode.source]), tr(SOURCE_NAMES[source]), source.word)
 

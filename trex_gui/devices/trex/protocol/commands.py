@@ -307,7 +307,7 @@ class GetParameter(Command[int]):
 
     def parse(self, reply: bytes) -> int:
         if reply[0] > FULL_SCALE:
-            raise BadReply(tr("a parameter value must be 0 to 127, not {0}").format(reply[0]))
+            raise BadReply(tr("a parameter number must be 0 to 127, not {0}").format(reply[0]))
         return reply[0]
 
 

@@ -47,8 +47,8 @@ class ErrorCode(Enum):
         "not support it: select the port of the TReX, or connect the adapter to the TReX."
     )
     SEVERAL_BOARDS = tr_noop(
-        "More than one board replies on {0} at {1}. “Find” tries every device number. If two "
-        "boards have the same number, switch one of them off and give the other board a "
+        "Several boards reply at once on {0} at {1}. “Find” tries every device number. If "
+        "two boards have the same number, switch one of them off and give the other board a "
         "different number."
     )
     OTHER_LINE = tr_noop(
@@ -118,8 +118,7 @@ class ErrorCode(Enum):
         "Another board on this line has the device number {0}. Select an unused number."
     )
     LEFT_GROUP = tr_noop(
-        "Board {0} is no longer driven with the group: it stopped "
-        "responding, was stopped, or restarted."
+        "Board {0} no longer follows: it stopped responding, was stopped or restarted."
     )
     NO_SUCH_BOARD = tr_noop("Board {0} is not one of the boards that are driven together here.")
     OF_BOARD = tr_noop("Board {0}: {1}")
@@ -142,14 +141,14 @@ class ErrorCode(Enum):
         "jumper and switch it on again"
     )
     PARAMETER_MISMATCH = tr_noop(
-        "{0} could not be verified: {1} was written, but {2} was read back"
+        "{0} could not be verified: wrote {1}, but the board reads back {2}"
     )
-    CALIBRATION_MISMATCH = tr_noop("{0} could not be verified: {1} was read back")
+    CALIBRATION_MISMATCH = tr_noop("{0} could not be verified: the board reads back {1}")
     OTHER_SOURCE = tr_noop("{0} is for {1} inputs, but the board now reads {2} inputs")
-    OTHER_BOARD = tr_noop("A different board now responds: {0}. Nothing was written to it.")
+    OTHER_BOARD = tr_noop("Another board responds now: {0}. Nothing was written to it.")
     OTHER_BOARD_AFTER_WRITING = tr_noop(
-        "A different board now responds: {0}. Settings may have been written to it. Compare "
-        "it with its last snapshot."
+        "Another board responds now: {0}. Settings may have been written to it. Compare it "
+        "with its last snapshot."
     )
     OTHER_VALUES = tr_noop(
         "The board no longer stores the settings that were read from it: it is another "

@@ -166,9 +166,7 @@ class PacketParser:
         if self._polynomial is not None and has_crc:
             expected = crc7(body, self._polynomial)
             if raw[-1] != expected:
-                return self._reject(
-                    tr("the CRC is {0:02X}, but should be {1:02X}").format(raw[-1], expected)
-                )
+                return self._reject(tr("the CRC is {0:02X}, not {1:02X}").format(raw[-1], expected))
         try:
             command = cls.from_packet(opcode, body[header_size:])
         except BadRequest as error:
@@ -209,7 +207,7 @@ class ReplyParser(Generic[ReplyT_co]):
         if size and self.framing.polynomial is not None:
             expected = crc7(payload, self.framing.polynomial)
             if reply[-1] != expected:
-                text = tr("the CRC is {0:02X}, but should be {1:02X}")
+                text = tr("the CRC is {0:02X}, not {1:02X}")
                 return Malformed(raw, text.format(reply[-1], expected))
         try:
             return Reply(raw, self.command.parse(payload))

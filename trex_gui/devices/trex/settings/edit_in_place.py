@@ -64,7 +64,8 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
         raise SettingsError.of(
             name,
             tr(
-                "the layout of this file prevents changes in place; save the settings as a new file"
+                "the layout of this file cannot be changed in place; save the settings as a "
+                "new file"
             ),
         )
     return amended

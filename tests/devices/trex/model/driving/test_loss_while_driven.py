@@ -92,7 +92,9 @@ def test_answer_about_the_timeout_is_saved_for_the_board(
 ) -> None:
     lost.lose_and_reconnect()
     assert (drive_inputs(lost.device).silence_remedy == "Cut the power.") is lost.unstopped
-    assert lost.infos[-1].startswith("The board is back. It has confirmed the stop. For 4 s")
+    assert lost.infos[-1].startswith(
+        "The board is back. It has confirmed the stop. It received nothing for 4 s"
+    )
     lost.answers[answer].then()
     if expected is TimeoutStop.FAILED and lost.unstopped:
         expected = TimeoutStop.REFUTED  # with UART-Error Shutdown the timeout may stop motors
@@ -112,7 +114,7 @@ def test_adapter_is_recognized_at_another_port(lost: LostBoard, adapter: str) ->
     lost.device.motors.adapter = adapter
     lost.lose_and_reconnect(new_port="/virtual/another")
     assert ("timeoutFailed" in lost.answers) is bool(adapter)
-    warnings = [text for text in errors if "if it is another board, cut the power" in text]
+    warnings = [text for text in errors if "If this is another board, cut the power" in text]
     assert bool(warnings) is not bool(adapter)
     assert all(lost.board.url in text for text in warnings)
     assert not lost.device.may_move

@@ -56,7 +56,7 @@ class LearningSetup:
         def is_reached() -> bool:
             learning = self.learning
             has_failed = learning.step is LearningStep.FAILED and learning.step is not step
-            if has_failed and "could not be confirmed as stopped" in learning.problem:
+            if has_failed and "the stop of the motors is not confirmed" in learning.problem:
                 learning.repeat()
             return learning.step is step
 
@@ -199,7 +199,7 @@ def test_stick_test_fails_in_rc_mode_despite_the_override(setup: LearningSetup) 
     setup.until(lambda: setup.device.board.serial_controls is True)
     setup.learning.start_test((1,))
     assert setup.learning.step is LearningStep.FAILED
-    assert "The next move of its switch returns them to the sticks" in setup.learning.problem
+    assert "when its switch moves again, the sticks drive the motors" in setup.learning.problem
 
 
 def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:

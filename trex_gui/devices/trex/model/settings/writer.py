@@ -82,7 +82,7 @@ class SettingsWriter(QObject):
         if not self.is_rejected:
             return ""
         return tr(
-            "The board accepts changes only in serial mode: switch the board off, remove the "
+            "The board accepts changes in serial mode only: switch the board off, remove the "
             "mode jumper, and switch the board on. Your edits are kept."
         )
 
