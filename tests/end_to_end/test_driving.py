@@ -417,7 +417,7 @@ def test_key_is_held_despite_repeats_and_drives_nowhere_else(keys: MotorsPage) -
 def test_key_repeat_as_release_and_press_does_not_brake(keys: MotorsPage) -> None:
     driver = keys.window.findChild(KeyDriver)
     assert driver is not None
-    driver.repeats_apart = True  # as on X11
+    driver.has_split_repeats = True  # as on X11
     window, none = keys.window.windowHandle(), Qt.KeyboardModifier.NoModifier
 
     def send(kind: QEvent.Type, time: int, key: Qt.Key = Qt.Key.Key_W) -> None:

@@ -193,7 +193,7 @@ def test_note_is_saved_wherever_its_value_is_saved(
 
     path = tmp_path / "board.txt"
     files = trex(window.program).workspace.files
-    files.shown.save_file(path)
+    files.saver.save_file(path)
     window.wait(path.exists)
     assert read_settings(load(path))[0].notes == {KEY: NOTE}
     shown = draft.shown

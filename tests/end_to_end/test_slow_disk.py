@@ -218,8 +218,8 @@ def test_thread_of_the_window_saves_no_file(
     window, workspace = connected_window, trex(connected_window.program).workspace
     recorder = workspace.recordings.recorder
     saves: dict[str, Callable[[Path], object]] = {
-        "code.py": lambda path: workspace.files.shown.export_file(path, Language.PYTHON),
-        "board.txt": workspace.files.shown.save_file,
+        "code.py": lambda path: workspace.files.saver.export_file(path, Language.PYTHON),
+        "board.txt": workspace.files.saver.save_file,
         "a.trexrec": recorder.start,
     }
     for name, save in saves.items():

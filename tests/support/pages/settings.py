@@ -138,7 +138,7 @@ class SettingsFiles:
 
     def save(self, path: Path) -> None:
         """Save the displayed settings."""
-        self.files.shown.save_file(path)
+        self.files.saver.save_file(path)
         self._window.wait_for_files()
 
     def load_dialogs(self) -> list[LoadDialog]:

@@ -68,7 +68,7 @@ def test_reports_are_shown_in_serial_mode(
     assert drawing.spoken("ModeJumper") == "Mode jumper: Mode: off, serial mode"
     assert drawing.spoken("SoGroundJumper") == "SO–G jumper: SO–G: off, replies arrive"
     assert drawing.spoken("RedLed") == "Red LED: on"
-    assert drawing.find(LedPart, "boardPartGreenLed").blinks
+    assert drawing.find(LedPart, "boardPartGreenLed").is_blinking
 
     motor = drawing.find(MotorPart, "boardPartMotor1")
     assert drawing.spoken("Motor1") == "Motor 1: not armed, 0.00 A, no limit"

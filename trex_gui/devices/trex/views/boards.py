@@ -32,7 +32,7 @@ _STATES = {
 
 
 class BoardPanel(QWidget):
-    """Panel that selects a board. It is visible during a scan, and if there are several boards."""
+    """Panel for selecting a board. It is visible during a scan or with more than one board."""
 
     def __init__(
         self, boards: BoardList, device: Device, group: BoardGroup, parent: QWidget | None = None
@@ -65,20 +65,13 @@ class BoardPanel(QWidget):
         self._change = button("changeNumberButton", tr("Change number…"), icon="edited", tip=tip)
         tip = tr("Drive several boards as one robot, with one pad and one Stop")
         self._drive_together = button("groupButton", tr("Drive together…"), icon="motor", tip=tip)
-        self._drive_alone = button(
-            "partButton", tr("Drive alone"), icon="motor", on_click=group.separate
-        )
+        alone = tr("Drive alone")
+        self._drive_alone = button("partButton", alone, icon="motor", on_click=group.separate)
 
         title = ui.label(self, "boardsTitle", tr("Boards on this line"), bold=True, wrap=True)
         search = self._progress, self._scan, self._cancel
-        items = (
-            title,
-            (self._list, 1),
-            *search,
-            self._change,
-            self._drive_together,
-            self._drive_alone,
-        )
+        commands = self._change, self._drive_together, self._drive_alone
+        items = title, (self._list, 1), *search, *commands
         ui.column(*items, into=self, margins=(8, 8, 0, 8))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         follow_theme(self, "width", self._update_width)
@@ -203,8 +196,8 @@ class NumberDialog(QObject):
             parent,
             names=Names("numberDialog", "number", "writeNumberButton", "closeNumberButton"),
             describe=self._describe,
-            act=self._on_write_clicked,
-            follows=(boards.changed, device.link_changed, device.motors.arming_changed),
+            on_action=self._on_write_clicked,
+            refresh_on=(boards.changed, device.link_changed, device.motors.arming_changed),
             above=field,
         )
         self._number.valueChanged.connect(self._dialog.refresh)
@@ -216,7 +209,7 @@ class NumberDialog(QObject):
         numbers = [(current + step) % NUMBERS for step in range(1, NUMBERS)]
         free = (number for number in numbers if number not in taken)
         self._number.setValue(next(free, current))
-        self._dialog.open_anew()
+        self._dialog.reset_and_show()
         self._number.setFocus()
         self._number.selectAll()
 

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.board.jumpers import JumperPicture
 from trex_gui.devices.trex.views.start_texts import ttl_wiring
-from trex_gui.devices.trex.views.steps import Flow, Page, Shown
+from trex_gui.devices.trex.views.steps import Flow, FlowState, Page
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.frame.wiring_sketch import WiringSketch
 from trex_gui.ui.notifier import ConnectWith
@@ -178,8 +178,8 @@ class HandShakePage(Page):
         ui.column(*items, into=self.side, margins=0)
 
     def show_step(self, step: _Step) -> None:
-        mix, so_ground, *moved = step.jumpers
-        self._picture.show_jumpers(mix, so_ground=so_ground, moved=moved, leds=step.leds)
+        mix, so_ground, *to_move = step.jumpers
+        self._picture.show_jumpers(mix, so_ground=so_ground, to_move=to_move, leds=step.leds)
         self._to_do.setText(tr(step.instruction))
         self._leds.setText(tr(step.led_text))
         self._received.setText(tr(step.received))
@@ -208,7 +208,7 @@ class CheckBoardFlow(Flow):
         self._connect = button("checkConnectButton", text, tip=tip, on_click=self._connect_now)
         return self._find, self._connect
 
-    def shown(self) -> Shown:
+    def state(self) -> FlowState:
         leds, hand_shake = self._pages
         is_disconnected = self._device.link is ConnectionState.DISCONNECTED
         is_last = self._index == len(_STEPS)
@@ -218,7 +218,7 @@ class CheckBoardFlow(Flow):
         if self._index:
             hand_shake.show_step(_STEPS[self._index - 1])
         note, is_alarming = self._result
-        return Shown(
+        return FlowState(
             title_of(tr("&Board does not respond…")),
             [tr("LEDs"), *(tr(step.title) for step in _STEPS)],
             self._index,

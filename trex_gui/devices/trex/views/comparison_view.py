@@ -26,7 +26,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import check_box, column, flat_table, label, row
 
-_ROW_MARGIN = 16
+_ROW_MARGIN = 16  # pixels
 _MIN_ROWS = 3  # number of rows visible at the minimum height
 _WITH_SIGN = {ComparisonColumn.SETTING, ComparisonColumn.AFTER, ComparisonColumn.OUTCOME}
 
@@ -136,7 +136,7 @@ class ComparisonView(QWidget):
         self._update()
 
     def show_nothing(self, reason: str = "") -> None:
-        """Hide the table and show the reason. In the next comparison, all changes are checked."""
+        """Hide the table and show the reason. The next comparison has all changes checked."""
         self.show_comparison(Comparison(()), "", "", summary=reason or " ")
         self._shown = None
 
@@ -189,7 +189,7 @@ class ComparisonView(QWidget):
         self._update()
 
     def _min_width(self, column: int) -> int:
-        """Return the width that the longest word and the sign need. A word does not wrap."""
+        """Return the width of the longest word and the sign. Words do not wrap."""
         font = self._view.font()
         font.setBold(True)
         metrics, table = QFontMetrics(font), self.table

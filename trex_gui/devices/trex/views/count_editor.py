@@ -1,4 +1,4 @@
-"""Spin boxes for numbers in several units, and their table delegate."""
+"""Spin boxes for numbers with units, and their table delegate."""
 
 import math
 import re
@@ -144,7 +144,7 @@ class CountEditor(UnitSpinBox):
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._source = source
-        self.stepping = False  # True while a key, the wheel or a button changes the value
+        self.is_stepping = False  # True while a key, the wheel or a button changes the value
         self.setRange(0, HIGHEST_CODED)
         self.setToolTip(plain(self._expected()))
 
@@ -157,9 +157,9 @@ class CountEditor(UnitSpinBox):
                 self.lineEdit().setText(self.textFromValue(self.value()))
 
     def stepBy(self, steps: int) -> None:
-        self.stepping = True
+        self.is_stepping = True
         super().stepBy(steps)
-        self.stepping = False
+        self.is_stepping = False
 
     wheelEvent = focused_wheel(QSpinBox.wheelEvent)
 

@@ -23,7 +23,7 @@ from trex_gui.devices.trex.model.drive_texts import direction_text
 from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES, describe_control
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channels_in
 from trex_gui.devices.trex.views.board.parts import (
-    PULLED,
+    PLUG_GAP,
     BoardPart,
     JumperPart,
     MotorPart,
@@ -43,8 +43,9 @@ OnClick = Callable[[], object]
 PartT = TypeVar("PartT", bound=BoardPart)
 
 _TRAVEL = 1200  # slider positions of a stick, one per µs
-_STALL, _AMPERE = 30, 10  # stall current in A, slider positions per A
-_LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions per V. A TReX resets below about 6 V.
+_STALL_CURRENT, _STEPS_PER_AMPERE = 30, 10  # A; slider positions per A
+_STEPS_PER_VOLT = 10  # slider positions per V
+_BATTERY = 40, 160  # slider range: 4 to 16 V. A TReX resets below about 6 V.
 _MODES = ("serial", "rc", "analog")
 _MIXED = tr_noop("&Turn"), tr_noop("&Forward")  # roles of inputs 1 and 2 with the mix jumper
 _FLASHES = {  # LED texts while the board learns or runs its boot loader
@@ -55,7 +56,7 @@ _FLASHES = {  # LED texts while the board learns or runs its boot loader
 
 
 def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
-    """Return the red and green LED patterns. `PACKETS`: the LED flickers with each packet."""
+    """Return the red and green LED patterns. An LED that flickers with each packet is `PACKETS`."""
     red, green = snapshot.leds.red, snapshot.leds.green
     if snapshot.power and snapshot.boot_mode is None:
         if snapshot.serial_controls and green in {"on", "off"}:
@@ -127,10 +128,10 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
     cycle = ui.button(rows, "demoPowerCycle", tr("Power cycle"), tip=tip, icon="power")
     cycle.clicked.connect(board.power_cycle)
     volts = LiveLabel("demoBatteryValue", tr("Battery"), rows)
-    battery = StickSlider(_LOWEST * _VOLT, _HIGHEST * _VOLT, _LOWEST * _VOLT, "bar", rows)
+    battery = StickSlider(*_BATTERY, _BATTERY[0], "bar", rows)
     tip = tr("A weak battery sags when the motors start, and the board resets")
     ui.named(battery, "demoBattery", accessible=tr("Battery"), tip=tip)
-    battery.positions_per_unit = _VOLT
+    battery.positions_per_unit = _STEPS_PER_VOLT
     battery.setSingleStep(5)
     rows.connect_slider(
         battery,
@@ -205,7 +206,7 @@ class Drawing(BoardRows):
         for label in self.findChildren(LiveLabel, QRegularExpression("demoLoadValue.")):
             label.setMinimumWidth(width("30.0\u00a0A"))
         for plug in self._plugs:
-            plug.setMinimumSize(PULLED + 12, round(2.7 * line))
+            plug.setMinimumSize(PLUG_GAP + 12, round(2.7 * line))
         for jumper in self._body.findChildren(JumperPart):
             jumper.setMinimumHeight(2 * line)
         for motor in self._motors.values():
@@ -214,7 +215,7 @@ class Drawing(BoardRows):
         self._body.setMinimumWidth(round(3.7 * line) + 20 + text_width(self.font(), *words))
         self._body.setContentsMargins(8, round(2.3 * line), 4, round(1.4 * line))
 
-    def _part(
+    def _create_part(
         self, kind: type[PartT], name: str, accessible: str, tip: str, on_click: OnClick
     ) -> PartT:
         return ui.named(kind("", accessible, on_click, self), name, tip=tip)
@@ -227,13 +228,13 @@ class Drawing(BoardRows):
         tip = tr("Input {0}: {1}. A double click centres it, Delete unplugs it.")
         tip = tip.format(channel, tr(CHANNEL_ROLES[channel]))
         ui.named(slider, f"demoInput{channel}", accessible=spoken, tip=tip)
-        slider.positions_per_unit = _TRAVEL / 100  # a unit is one per cent, for screen readers
+        slider.positions_per_unit = _TRAVEL / 100  # one unit is one per cent, for screen readers
         slider.setSingleStep(10)
         slider.setPageStep(_TRAVEL // 10)
         slider.value_label = value
         name = ui.label(self, buddy=slider)
         name.setTextFormat(Qt.TextFormat.RichText)
-        plug = self._part(
+        plug = self._create_part(
             PlugPart,
             f"demoNoSignal{channel}",
             tr("Plug of input {0}").format(channel),
@@ -287,7 +288,7 @@ class Drawing(BoardRows):
         tip = tr(
             "Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors"
         )
-        plug = self._part(
+        plug = self._create_part(
             PlugPart, "demoCable", tr("Cable"), tip, lambda: self._demo.set_plugged(plug.is_out)
         )
         plug.is_labelled, plug.spoken_from = True, 1
@@ -312,7 +313,7 @@ class Drawing(BoardRows):
                 index = _MODES.index(snapshot.jumpers.mode) + 1
                 board.set_mode_jumper(_MODES[index % len(_MODES)])
 
-        jumper = partial(self._part, JumperPart)
+        jumper = partial(self._create_part, JumperPart)
         tip = tr("The mode jumper; the board reads it when power comes on")
         mode = jumper("demoMode", tr("Mode jumper"), tip, next_mode)
         tip = tr("The mix jumper: input 2 drives forward, input 1 turns; takes effect at once")
@@ -341,7 +342,7 @@ class Drawing(BoardRows):
     def _create_motor(self, number: int) -> MotorPart:
         name = tr("Motor {0}").format(number)
         tip = tr("The driver of motor {0} shuts down, as when hot or shorted").format(number)
-        part = self._part(
+        part = self._create_part(
             MotorPart,
             f"demoFault{number}",
             name,
@@ -370,11 +371,11 @@ class Drawing(BoardRows):
             "triggers current limits and faults"
         ).format(number)
         value = LiveLabel(f"demoLoadValue{number}", spoken, self)
-        slider = StickSlider(0, _STALL * _AMPERE, 0, f"motor{number}", self)
+        slider = StickSlider(0, _STALL_CURRENT * _STEPS_PER_AMPERE, 0, f"motor{number}", self)
         ui.named(slider, f"demoLoad{number}", accessible=spoken, tip=tip)
-        slider.positions_per_unit = _AMPERE
-        slider.setSingleStep(_AMPERE // 2)
-        slider.setPageStep(2 * _AMPERE)
+        slider.positions_per_unit = _STEPS_PER_AMPERE
+        slider.setSingleStep(_STEPS_PER_AMPERE // 2)
+        slider.setPageStep(2 * _STEPS_PER_AMPERE)
         slider.value_label = value
         self.connect_slider(
             slider,

@@ -25,7 +25,7 @@ class FindingsList(QWidget):
     """Findings with buttons for their proposals. An empty list is hidden."""
 
     accepted = Signal(object)  # `LintFinding` whose change becomes an edit
-    line_chosen = Signal(int)  # line number, from 1
+    line_requested = Signal(int)  # line number, from 1
 
     def __init__(
         self, prefix: str, after: QWidget, parent: QWidget | None = None, *, is_wide: bool = False
@@ -63,7 +63,7 @@ class FindingsList(QWidget):
         self.show_findings([finding for finding in findings if self._is_relevant(finding)])
 
     def show_findings(self, findings: Iterable[Remark], *, with_lines: bool = False) -> None:
-        """Show findings. `with_lines` adds buttons that show their lines in the file."""
+        """Show findings. `with_lines` adds buttons that show the lines in the file."""
         shown = tuple(findings)
         if shown != self._findings:
             self._findings, self._with_lines = shown, with_lines
@@ -78,7 +78,7 @@ class FindingsList(QWidget):
         for line in self._lines:
             self._layout.removeWidget(line)
             line.setParent(None)
-            line.deleteLater()  # one of its buttons may be emitting this signal
+            line.deleteLater()  # the current signal may come from one of its buttons
         shown, more = self._findings[:_MAX_LINES], len(self._findings) - _MAX_LINES
         if more > 0:
             shown += (tr("and %n more", "", more),)
@@ -108,7 +108,7 @@ class FindingsList(QWidget):
             sign, line_number = _SIGNS[finding.severity], finding.line
             text = str(replace(finding, severity=Severity.ERROR))  # the sign shows the severity
         if line_number is not None and self._with_lines:
-            show_line = partial(self.line_chosen.emit, line_number)
+            show_line = partial(self.line_requested.emit, line_number)
             title = tr("Show line {0}").format(line_number)
             actions.append(link(line, f"{self._prefix}Line{number}", title, on_click=show_line))
         text = f"{text[:1].upper()}{text[1:]}"

@@ -100,13 +100,8 @@ class HistoryDialog(ReusedDialog):
         self._table.loaded.connect(self._refresh_timer.start)
         self._table.failed.connect(self._banner.show_problem)
         self._pane.restore_requested.connect(self.restore_requested)
-        draft = device.draft
-        for changed in (
-            draft.pending_changed,
-            draft.loaded,
-            device.state_changed,
-            device.link_changed,
-        ):
+        draft_changes = device.draft.pending_changed, device.draft.loaded
+        for changed in (*draft_changes, device.state_changed, device.link_changed):
             changed.connect(self._on_board_changed)
         for ended in (device.applied, device.request_failed):
             ended.connect(self._on_written)
@@ -143,10 +138,10 @@ class HistoryDialog(ReusedDialog):
         rows = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         return tuple(self._table.snapshots[row] for row in rows)
 
-    def _select(self, path: Path | None, otherwise: int = 0) -> None:
-        """Select a snapshot, or the row `otherwise` if the snapshot is not listed."""
+    def _select(self, path: Path | None, fallback_row: int = 0) -> None:
+        """Select a snapshot, or `fallback_row` if the snapshot is not listed."""
         listed_row = None if path is None else self._table.row_of(path)
-        row = min(otherwise, self._table.rowCount() - 1) if listed_row is None else listed_row
+        row = min(fallback_row, self._table.rowCount() - 1) if listed_row is None else listed_row
         index, flags = self._table.index(row, 0), QItemSelectionModel.SelectionFlag
         self._view.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
         self._view.scrollTo(index)

@@ -58,11 +58,8 @@ class LineSettingsDialog(ReusedDialog):
         self._clash = ui.named(Note(2, self), "lineClash")
         ui.column(intro, form, self._clash, 1, buttons, into=self)
 
-        for changed in (
-            self._line.valueChanged,
-            self._addressed.toggled,
-            self._reserved.textChanged,
-        ):
+        line, reserved = self._line.valueChanged, self._reserved.textChanged
+        for changed in (line, self._addressed.toggled, reserved):
             changed.connect(self._on_changed)
         buttons.accepted.connect(self._on_accepted)
         buttons.rejected.connect(self.reject)

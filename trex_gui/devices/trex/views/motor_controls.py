@@ -220,7 +220,7 @@ class MotorBar(ActionBar):
 
 
 class ArmButton(ConfirmButton):
-    """Button that arms and disarms the motors. Disarming causes no lockout, unlike Stop."""
+    """Button that arms and disarms the motors. Unlike Stop, disarming does not lock them out."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -242,7 +242,7 @@ class ArmButton(ConfirmButton):
     @Slot()
     def _on_changed(self) -> None:
         armed = self._motors.armed
-        if armed and self.window().focusWidget() is self:  # also true behind a dialog
+        if armed and self.window().focusWidget() is self:  # also true while a dialog has the focus
             focus_stop(self)
         text = tr("Disa&rm") if armed else tr("A&rm motors")
         if text != self.text():
@@ -318,8 +318,8 @@ class ControlBar(MotorBar):
             color="danger" if self._is_out_of_reach else "warning",
         )
         # The page describes the connected board, not a board that was lost earlier.
-        is_shown = self._page_shows_state and not self._device.driving.lost_board
-        is_shown = is_shown or self._state.text() in self._device.notifier.shown
+        on_page = self._page_shows_state and not self._device.driving.lost_board
+        is_shown = on_page or self._state.text() in self._device.notifier.shown
         self._state.setVisible(motors.armed or self._stop_has_no_effect or not is_shown)
         self._apply.setText(apply_text(pending))
         set_look(self._apply, "primary" if pending else "")

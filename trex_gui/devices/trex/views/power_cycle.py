@@ -9,7 +9,7 @@ from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.power_cycle import PowerCycle
 from trex_gui.devices.trex.model.power_cycle import PowerCycleStage as Stage
-from trex_gui.devices.trex.views.steps import Flow, Page, Shown
+from trex_gui.devices.trex.views.steps import Flow, FlowState, Page
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.behaviour import reserve_space
 from trex_gui.ui.widgets.builders import button, column, named
@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.step_strip import StepStrip
 
 _STEPS_DONE = {Stage.AWAITING_ON: 1, Stage.BACK: 3}
 
-_RESULTS = {  # (stage, true if the stage takes long) → text
+_RESULTS = {  # (stage, true if the stage takes a long time) → text
     (Stage.AWAITING_OFF, False): tr_noop(
         "Switch the board off for at least one second. Waiting for the board to stop responding …"
     ),
@@ -119,9 +119,9 @@ class PowerCycleFlow(Flow):
         self._page = PowerCyclePage(self._cycle)
         self._cycle.changed.connect(self.changed)
 
-    def shown(self) -> Shown:
+    def state(self) -> FlowState:
         title = tr("Switch the board off and on")
-        return Shown(title, *_steps(self._cycle), self._page, closes=True)
+        return FlowState(title, *_steps(self._cycle), self._page, is_close_primary=True)
 
     def on_hidden(self, *, closed: bool) -> None:
         if closed:

@@ -29,7 +29,7 @@ class ClosePrompt(QObject):
         self._files = files
         self._review = review
         self._frame = frame
-        self._agreed: Settings | None = None  # settings, with edits, that the last answer covers
+        self._agreed: Settings | None = None  # settings with edits, as they were at the last answer
         self.keeps_edits = True  # True if edits are saved for the next connection of the board
         device.draft.pending_changed.connect(self._on_pending_changed)
 
@@ -53,7 +53,7 @@ class ClosePrompt(QObject):
             close(draft.shown, keep_edits=False)
 
         def save_and_close() -> None:
-            self._files.shown.prompt_and_save(partial(close, draft.shown, keep_edits=False))
+            self._files.saver.prompt_and_save(partial(close, draft.shown, keep_edits=False))
 
         self._frame.activateWindow()
         if device.writer.running:
@@ -77,7 +77,7 @@ class ClosePrompt(QObject):
 
     @Slot()
     def _on_pending_changed(self) -> None:
-        """Clear an earlier decision to discard edits, because it does not cover new edits."""
+        """Clear an earlier decision to discard edits, because it does not apply to new edits."""
         self.keeps_edits = True
 
     def _close(self, leave: Callable[[], object], agreed: Settings | None) -> None:

@@ -26,7 +26,7 @@ from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.pulse_controls import PulseControls
 from trex_gui.devices.trex.views.start_texts import ttl_wiring
-from trex_gui.devices.trex.views.steps import Flow, Page, Shown
+from trex_gui.devices.trex.views.steps import Flow, FlowState, Page
 from trex_gui.ui.files import in_background
 from trex_gui.ui.frame.wiring_sketch import WiringSketch
 from trex_gui.ui.translations import error_sentence
@@ -249,7 +249,7 @@ class ProvisionFlow(Flow):
         self._profile_page.problem.show_note(error_sentence(error), alarming=True)
         self.changed.emit()
 
-    def shown(self) -> Shown:
+    def state(self) -> FlowState:
         work, step = self.work, self.work.step
         titles = {
             ProvisionStep.PROFILE: tr("Profile"),
@@ -262,7 +262,7 @@ class ProvisionFlow(Flow):
         if not (work.turns_motors or self._profile_page.motors.isChecked()):
             del titles[ProvisionStep.MOTORS]
         show = partial(
-            Shown,
+            FlowState,
             tr("Set up boards in turn"),
             list(titles.values()),
             list(titles).index(step),

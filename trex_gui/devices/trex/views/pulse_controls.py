@@ -47,9 +47,11 @@ class PulseControls(QWidget):
         self._arm_frame.setEnabled(False)
         ui.row(arm_button, into=self._arm_frame, margins=0)
         self._note = ui.named(Note(2, self), f"{name}PulseNote")
-        self._holds = {motor: self._create_hold(f"{name}Hold{motor}", motor) for motor in (1, 2)}
+        self._hold_buttons = {
+            motor: self._create_hold_button(f"{name}Hold{motor}", motor) for motor in (1, 2)
+        }
         motor_widgets: list[QWidget] = []
-        for motor, hold in self._holds.items():
+        for motor, hold in self._hold_buttons.items():
             motor_widgets += [hold, below[motor]] if motor in below else [hold]
         for widget in motor_widgets:  # determines the Tab order
             widget.setParent(self)
@@ -58,7 +60,7 @@ class PulseControls(QWidget):
         for changed in (pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
 
-    def _create_hold(self, name: str, motor: int) -> HoldButton:
+    def _create_hold_button(self, name: str, motor: int) -> HoldButton:
         hold = HoldButton(tr("Hold to turn motor {0}").format(motor))
         tip = tr("Short, weak pulses while you hold it with the mouse or the space bar")
         ui.named(hold, name, tip=tip)
@@ -78,7 +80,7 @@ class PulseControls(QWidget):
         self._wheels.setChecked(pulses.wheels_are_free)
         may_arm = can_confirm and pulses.wheels_are_free
         self._arm_frame.setEnabled(may_arm or self._device.motors.armed)
-        for motor, hold in self._holds.items():
+        for motor, hold in self._hold_buttons.items():
             hold.setEnabled(pulses.motor in {0, motor} and not blocker)
         text = blocker or tr(
             "Armed. The motor turns in short, weak pulses while you hold the button."

@@ -66,7 +66,7 @@ class RobotView(Painted):
     def __init__(self, parent: QWidget | None = None, *, with_buttons: bool = False) -> None:
         super().__init__(parent)
         self.setAccessibleName(tr("The robot from above"))
-        self._amounts = dict.fromkeys(Side, 0.0)
+        self._speeds = dict.fromkeys(Side, 0.0)
         self._colors = dict.fromkeys(Side, "outline")
         self._shifts = dict.fromkeys(Side, 0.0)  # shift of the treads, in tread spacings
         self._motion = Animation(self, self._on_frame)
@@ -76,10 +76,10 @@ class RobotView(Painted):
             part.clicked.connect(partial(self._on_part_clicked, movement))
         follow_theme(self, "space", self.updateGeometry)
 
-    def show_wheel(self, side: Side, amount: float, color: str = "outline") -> None:
-        """Show a wheel that turns at a speed of `amount`, from -1 to 1."""
-        if (amount, color) != (self._amounts[side], self._colors[side]):
-            self._amounts[side], self._colors[side] = amount, color
+    def show_wheel(self, side: Side, speed: float, color: str = "outline") -> None:
+        """Show a wheel that turns. `speed` is from -1 to 1."""
+        if (speed, color) != (self._speeds[side], self._colors[side]):
+            self._speeds[side], self._colors[side] = speed, color
             self.update()
 
     def select(self, movement: Movement | None) -> None:
@@ -93,7 +93,7 @@ class RobotView(Painted):
         self.wheel_clicked.emit(movement)
 
     def spoken_state(self) -> str:
-        moving = {(side, amount > 0) for side, amount in self._amounts.items() if amount}
+        moving = {(side, speed > 0) for side, speed in self._speeds.items() if speed}
         return ", ".join(
             tr(text) for key, text in MOVEMENTS.items() if (key.side, key.forward) in moving
         )
@@ -129,9 +129,9 @@ class RobotView(Painted):
     def paint_robot(self, painter: QPainter, area: QRectF) -> None:
         """Paint the chassis and the wheels. Run the animation while a wheel turns."""
         paint_chassis(painter, _scaled(_CHASSIS, area))
-        for side in self._amounts:
+        for side in self._speeds:
             self._paint_wheel(painter, side, _scaled(_WHEEL, area, side))
-        self._motion.run(any(self._amounts.values()))
+        self._motion.run(any(self._speeds.values()))
 
     def _paint_wheel(self, painter: QPainter, side: Side, wheel: QRectF) -> None:
         parts = (part for movement, part in self._parts.items() if movement.side is side)
@@ -140,7 +140,7 @@ class RobotView(Painted):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme().color("selected" if is_selected else "track"))
         painter.drawRoundedRect(wheel, radius, radius)
-        if amount := self._amounts[side]:
+        if speed := self._speeds[side]:
             painter.setPen(QPen(theme().color("hatch"), 1.5))
             for tread in range(_TREADS):
                 y = wheel.top() + wheel.height() * (tread + self._shifts[side] % 1) / _TREADS
@@ -148,31 +148,31 @@ class RobotView(Painted):
                     for left in (wheel.left(), wheel.right() - radius):
                         painter.drawLine(QLineF(left, y, left + radius, y))
             if not self._parts:
-                _paint_arrow(painter, wheel, amount, name)
+                _paint_arrow(painter, wheel, speed, name)
         edge = "accent" if is_selected and name == "outline" else name
         painter.setPen(QPen(theme().color(edge), 2 if edge == "outline" else 3))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRoundedRect(wheel, radius, radius)
 
     def _on_frame(self, seconds: float) -> None:
-        for side, amount in self._amounts.items():
-            self._shifts[side] -= _TREADS_PER_SECOND * amount * seconds
+        for side, speed in self._speeds.items():
+            self._shifts[side] -= _TREADS_PER_SECOND * speed * seconds
         self.update()
 
 
 def _scaled(part: QRectF, area: QRectF, side: Side | None = Side.LEFT) -> QRectF:
-    """Scale a part of the drawing to `area`. Mirror it for the right side."""
+    """Scale a part of the drawing to `area`. Mirror the part for the right side."""
     unit = area.height() / _SIZE[1]
     left = _SIZE[0] - part.right() if side is Side.RIGHT else part.left()
     corner = QPointF(area.center().x() + (left - _SIZE[0] / 2) * unit, area.top())
     return QRectF(corner + QPointF(0, part.top() * unit), part.size() * unit)
 
 
-def _paint_arrow(painter: QPainter, box: QRectF, amount: float, color: str) -> None:
-    """Paint an arrow. Its length is proportional to `amount`. A negative `amount` points down."""
-    up = 1 if amount > 0 else -1
+def _paint_arrow(painter: QPainter, box: QRectF, speed: float, color: str) -> None:
+    """Paint an arrow with a length proportional to `speed`. A negative speed points down."""
+    up = 1 if speed > 0 else -1
     head = min(box.width() * 0.3, box.height() * 0.2)
-    length = max(box.height() * 0.85 * min(abs(amount), 1), 2 * head) / 2
+    length = max(box.height() * 0.85 * min(abs(speed), 1), 2 * head) / 2
     middle, cap = box.center(), Qt.PenCapStyle.RoundCap
     tip = middle - QPointF(0, up * length)
     painter.setPen(QPen(theme().color(color), max(head / 2.5, 2), Qt.PenStyle.SolidLine, cap))

@@ -62,7 +62,7 @@ class SettingsCommands(QObject):
 
     @Slot()
     def close_if_verified(self) -> None:
-        """Close the review if its result requires no action by the user."""
+        """Close the review if its result requires no user action."""
         self._review.close_if_verified()
 
     @Slot()

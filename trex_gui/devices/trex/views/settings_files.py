@@ -19,7 +19,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
 from trex_gui.devices.trex.views.changes.files import load_dialog
-from trex_gui.devices.trex.views.shown_settings import ShownSettings
+from trex_gui.devices.trex.views.settings_saver import SettingsSaver
 from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import named, tab_order
@@ -51,21 +51,21 @@ class SettingsFiles(QObject):
         self._window = window
         self._load_dialog: ChangesDialog | None = None
         self.editors: list[SettingsEditor] = []  # one window per open file
-        self.shown = ShownSettings(device, window)
-        self.shown.saved.connect(self._record_used)
+        self.saver = SettingsSaver(device, window)
+        self.saver.saved.connect(self._record_used)
         self._discarded: dict[SettingsEditor, str] = {}  # texts that the user agreed to discard
 
     def prompt_and_open(self) -> None:
         self._prompt_and(self.open_file)
 
-    def prompt_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
-        """Prompt for a file and pass its document to `use`, even if the file has errors."""
-        self._prompt_and(lambda path: self._open(path, use))
+    def prompt_for_document(self, on_opened: Callable[[SettingsDocument], object]) -> None:
+        """Prompt for a file and pass its document to `on_opened`, even if the file has errors."""
+        self._prompt_and(lambda path: self._open(path, on_opened))
 
-    def _prompt_and(self, use: Callable[[Path], object]) -> None:
+    def _prompt_and(self, action: Callable[[Path], object]) -> None:
         path = file_questions.prompt_to_open(self._window, tr("&Open settings file…"))
         if path is not None:
-            use(path)
+            action(path)
 
     def prompt_and_create(self) -> None:
         factories = dict(self._initial_contents())
@@ -136,7 +136,7 @@ class SettingsFiles(QObject):
                 return True
         return False
 
-    def _open(self, path: Path, then: Callable[[SettingsDocument], object]) -> None:
+    def _open(self, path: Path, on_opened: Callable[[SettingsDocument], object]) -> None:
         def on_failed(error: StudioError) -> None:
             text = tr("{0} was not opened: {1}.")
             self._notifier.error.emit(text.format(path.name, reason_of(error)))
@@ -150,7 +150,7 @@ class SettingsFiles(QObject):
                 on_failed(error)
                 return
             self._record_used(path)
-            then(document)
+            on_opened(document)
 
         in_background(self, partial(load, path), on_read, on_failed)
 
@@ -202,7 +202,7 @@ class SettingsFiles(QObject):
             edit=edit,
         )
         dialog.finished.connect(partial(self._on_offer_finished, dialog))
-        dialog.open_anew()
+        dialog.reset_and_show()
 
     def _on_offer_finished(self, dialog: ChangesDialog, _result: int) -> None:
         if dialog is self._load_dialog:
@@ -219,7 +219,7 @@ class SettingsFiles(QObject):
 
         `leave` is called after the changes have been saved.
         """
-        unfinished = ", ".join(path.name for path in self.shown.saving)
+        unfinished = ", ".join(path.name for path in self.saver.saving)
         if unfinished and not file_questions.may_leave_unfinished(self._window, unfinished):
             return False
         discarded, self._discarded = self._discarded, {}
@@ -244,7 +244,7 @@ class SettingsFiles(QObject):
         discarded: "dict[SettingsEditor, str]",
         leave: Callable[[], object],
     ) -> None:
-        """Save the editors in turn, then call `leave`."""
+        """Save the files of the editors in turn, then call `leave`."""
         if editors:
             save_next = partial(self._save_and_leave, editors[1:], discarded, leave)
             editors[0].saver.save_and_leave(editors[0].save, save_next)

@@ -62,7 +62,7 @@ class SnapshotPane(QWidget):
         self._update_restore()
 
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> str:
-        """Compare a snapshot with `other` or the board. Return the reason for a failure, if any.
+        """Compare a snapshot with `other` or the board. Return the reason for a failure, or `""`.
 
         If no board of the same model is connected, use the adjacent snapshot instead of the board.
         """

@@ -19,7 +19,7 @@ from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 from trex_gui.ui.widgets.step_strip import StepStrip
 
-_GAP = 16
+_GAP = 16  # pixels
 
 
 class Page(QWidget):
@@ -33,16 +33,16 @@ class Page(QWidget):
         self.side.hide()
 
     def refresh(self) -> None:
-        """Update the page. The dialog calls this before it shows the page and at each change."""
+        """Update the page. The dialog calls this when it shows the page and after each change."""
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
-    """Visible state of the dialog. Next is hidden if its text is empty."""
+class FlowState:
+    """Visible state of the dialog. The Next button is hidden if its text is empty."""
 
     title: str  # title of the task
     titles: Sequence[str]  # titles of all steps
-    now: int  # index of the current step
+    current: int  # index of the current step
     page: Page
     note: str = ""  # text below `page.side`
     is_alarming: bool = False
@@ -51,7 +51,7 @@ class Shown:
     may_go_on: bool = True
     may_go_back: bool = False
     may_skip: bool = False
-    closes: bool = False  # True if Close is the primary button
+    is_close_primary: bool = False
     close: str = ""
 
 
@@ -67,11 +67,11 @@ class Flow(QObject):
         self.opened.emit(True)
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
-        """Create the task's own buttons, in addition to Back, Skip and Next."""
+        """Create buttons in addition to Back, Skip and Next."""
         del parent
         return ()
 
-    def shown(self) -> Shown:
+    def state(self) -> FlowState:
         raise NotImplementedError
 
     def back(self) -> None: ...
@@ -81,7 +81,7 @@ class Flow(QObject):
     def next(self) -> None: ...
 
     def on_hidden(self, *, closed: bool) -> None:
-        """Stop actions that need a visible dialog. `closed` is false if it was only minimized."""
+        """Stop actions that need a visible dialog. `closed` is false for a minimized dialog."""
 
 
 class _Body(QWidget):
@@ -174,7 +174,7 @@ class Steps(ReusedDialog):
 
     def setVisible(self, visible: bool) -> None:
         if visible:
-            self._show(self.flow.shown())
+            self._show(self.flow.state())
         super().setVisible(visible)
 
     def hideEvent(self, event: QHideEvent) -> None:
@@ -194,43 +194,44 @@ class Steps(ReusedDialog):
     @Slot()
     def _on_changed(self) -> None:
         if self.isVisible():
-            self._show(self.flow.shown())
+            self._show(self.flow.state())
 
-    def _show(self, shown: Shown) -> None:
-        self.setWindowTitle(shown.title)
-        self._title.setText(shown.title)
-        self._strip.show_steps(shown.titles, shown.now, shown.undone)
+    def _show(self, state: FlowState) -> None:
+        self.setWindowTitle(state.title)
+        self._title.setText(state.title)
+        self._strip.show_steps(state.titles, state.current, state.undone)
         focused, step_buttons = self.focusWidget(), (self._back, self._skip, self._next)
-        is_new = self._body.show_page(shown.page)
-        shown.page.refresh()
+        is_new = self._body.show_page(state.page)
+        state.page.refresh()
         if is_new:
             ui.tab_order(self._bar.stop, self._body, self._bar.stop)
-        self._body.show_note(shown.note, alarming=shown.is_alarming)
-        self._back.setVisible(shown.may_go_back)
-        self._back.setEnabled(shown.may_go_back)
-        self._skip.setVisible(shown.may_skip)
-        self._close.setText(shown.close or tr("Close"))
-        self._show_next(shown)
-        self._step_buttons.setVisible(bool(shown.next) or shown.may_go_back or shown.may_skip)
-        self._close.setDefault(shown.closes)
-        set_look(self._close, "primary" if shown.closes else "")
+        self._body.show_note(state.note, alarming=state.is_alarming)
+        self._back.setVisible(state.may_go_back)
+        self._back.setEnabled(state.may_go_back)
+        self._skip.setVisible(state.may_skip)
+        self._close.setText(state.close or tr("Close"))
+        self._show_next(state)
+        self._step_buttons.setVisible(bool(state.next) or state.may_go_back or state.may_skip)
+        self._close.setDefault(state.is_close_primary)
+        set_look(self._close, "primary" if state.is_close_primary else "")
         may_move_focus = focused in {None, self, *step_buttons} and not (
             isinstance(focused, QAbstractButton) and self._is_usable(focused)
         )
         if may_move_focus or (is_new and focused not in step_buttons):
-            # Enter must not press Close while Next is disabled. After an alarm, it presses Skip.
-            skip = [self._skip] if shown.is_alarming else []
-            buttons = [self._close] if shown.closes else [self._next, *skip]
-            fallback = shown.page.focusProxy() or self
+            # Enter must not press Close while Next is disabled. If the note is alarming, it may
+            # press Skip.
+            skip = [self._skip] if state.is_alarming else []
+            buttons = [self._close] if state.is_close_primary else [self._next, *skip]
+            fallback = state.page.focusProxy() or self
             usable = (button for button in buttons if self._is_usable(button))
             next(usable, fallback).setFocus()
 
-    def _show_next(self, shown: Shown) -> None:
-        text_changes = shown.next != self._next.text() and self._next.isVisible()
-        self._next.setVisible(bool(shown.next))
-        self._next.setText(shown.next or tr("&Next"))
-        self._next.setEnabled(shown.may_go_on)
-        self._next.setDefault(bool(shown.next))
+    def _show_next(self, state: FlowState) -> None:
+        text_changes = state.next != self._next.text() and self._next.isVisible()
+        self._next.setVisible(bool(state.next))
+        self._next.setText(state.next or tr("&Next"))
+        self._next.setEnabled(state.may_go_on)
+        self._next.setDefault(bool(state.next))
         if text_changes and isinstance(self._next, ConfirmButton):
             self._next.hold_off()
 

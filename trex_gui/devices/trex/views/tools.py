@@ -1,4 +1,4 @@
-"""Windows other than the pages. The first window that is opened imports this module."""
+"""Windows that are created on first use. The workspace imports this module only then."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.boards import BoardList
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.views.bench.dialog import BenchDialog
-from trex_gui.devices.trex.views.changes.boards import ApplyToSeveral
+from trex_gui.devices.trex.views.changes.boards import ApplyToBoardsDialog
 from trex_gui.devices.trex.views.check_board import CheckBoardFlow
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog
 from trex_gui.devices.trex.views.learning.flow import LearnFlow
@@ -70,8 +70,8 @@ class Tools:
         return RobotsDialog(self.device, connect, ports.set_served, self.frame)
 
     @cached_property
-    def apply_to_boards(self) -> ApplyToSeveral:
-        return ApplyToSeveral(self.boards, self.device, self.frame)
+    def apply_to_boards(self) -> ApplyToBoardsDialog:
+        return ApplyToBoardsDialog(self.boards, self.device, self.frame)
 
     @cached_property
     def check_board(self) -> CheckBoardFlow:

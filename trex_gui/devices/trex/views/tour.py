@@ -33,8 +33,8 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
         yield push
         yield from tour.wait(_HOLD_S)
 
-    def is_reached(page: str) -> bool:
-        """Return true if a page is visible. Otherwise try again, because a stop takes time."""
+    def reach_page(page: str) -> bool:
+        """Return true if a page is visible. Otherwise try again, because stopping takes time."""
         return tour.is_visible(page) or (tour.press("learnAgainButton") and False)
 
     yield drive
@@ -43,7 +43,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
     yield partial(sticks.set_automatic, False)
     yield sticks.center_sticks
     yield partial(tour.trigger_action, "learnAction")
-    yield partial(is_reached, "learnRestPage")
+    yield partial(reach_page, "learnRestPage")
     yield from tour.capture_dialog("learnDialog", "learn-rest")
     yield partial(tour.press, "learnNextButton")
     yield partial(tour.is_visible, "learnTravelPage")
@@ -56,7 +56,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
     yield from tour.capture_dialog("learnDialog", "learn-review")
     yield partial(tour.press, "learnCloseButton")
     yield partial(tour.trigger_action, "test_sticksAction")
-    yield partial(is_reached, "learnTestPage")
+    yield partial(reach_page, "learnTestPage")
     yield from hold(1850)
     yield from tour.capture_dialog("learnDialog", "learn-test")
     yield partial(tour.press, "learnCloseButton")

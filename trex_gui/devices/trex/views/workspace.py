@@ -113,20 +113,15 @@ class TrexWorkspace(Workspace):
         settings.parameter_requested.connect(self._show_parameter)
         bar.apply_requested.connect(settings.review)
         controller.demo_board.rejected.connect(self.notifier.error)
-        for changed in (
-            self.recordings.changed,
-            controller.changed,
-            self._demo.wanted_changed,
-            device.motors.arming_changed,
-            device.draft.pending_changed,
-            boards.changed,
-        ):
+        device_changes = device.motors.arming_changed, device.draft.pending_changed, boards.changed
+        program_changes = self.recordings.changed, controller.changed, self._demo.wanted_changed
+        for changed in (*program_changes, *device_changes):
             changed.connect(self._on_actions_changed)
         self._undo_connection = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     def _create_board_page(self, parent: QWidget) -> QWidget:
-        start = partial(StartPanel, start_texts(), self._frame, self)
-        page = BoardPage(self._device, self._controller.group, start, parent)
+        create_start = partial(StartPanel, start_texts(), self._frame, self)
+        page = BoardPage(self._device, self._controller.group, create_start, parent)
         page.setup_requested.connect(partial(self._open, "setup"))
         page.page_requested.connect(self.show_page)
         return page
@@ -190,7 +185,7 @@ class TrexWorkspace(Workspace):
         queued = Qt.ConnectionType.QueuedConnection
         learning.stored.connect(self._settings.close_if_verified, queued)
         learning.started.connect(self._controller.demo_board.center_sticks)
-        # This creates the flow, which also starts the stick test after a set-up.
+        # Accessing `learn` creates the flow, which also starts the stick test after a set-up.
         learning.started.connect(lambda: self._tools.learn)
         return learning
 
@@ -233,7 +228,7 @@ class TrexWorkspace(Workspace):
                 yield Findable("parameter", key, row.name, location, text, show)
 
     def menus(self) -> Menus:
-        device, files, shown = self._device, self.files, self.files.shown
+        device, files, saver = self._device, self.files, self.files.saver
         keys = QKeySequence.StandardKey
         settings = self._settings
         reload, review, activate = settings.reload, settings.review, settings.show_power_cycle
@@ -247,8 +242,8 @@ class TrexWorkspace(Workspace):
             Menu.FILE: (
                 Entry("new", tr("&New settings file…"), files.prompt_and_create, keys.New, "new"),
                 Entry("open", tr("&Open settings file…"), files.prompt_and_open, "Ctrl+O", "open"),
-                Entry("save", tr("&Save settings file…"), shown.prompt_and_save, "Ctrl+S", "save"),
-                Entry("export", tr("&Export as code…"), shown.prompt_and_export, "", "console"),
+                Entry("save", tr("&Save settings file…"), saver.prompt_and_save, "Ctrl+S", "save"),
+                Entry("export", tr("&Export as code…"), saver.prompt_and_export, "", "console"),
                 SEPARATOR,
                 Entry("history", tr("&History…"), partial(tool, "history"), "Ctrl+H", "history"),
                 SEPARATOR,
@@ -320,13 +315,13 @@ class TrexWorkspace(Workspace):
     def enabled_actions(self) -> Mapping[str, bool]:
         device, draft = self._device, self._device.draft
         recorder, writable = self.recordings.recorder, device.is_writable
-        shown = draft.shown is not None and not device.writer.running
+        can_use_draft = draft.shown is not None and not device.writer.running
         to_activate = bool(device.parameters.values.waiting_for_power) or draft.reset_pending
         return {
             **dict.fromkeys(
                 ("reload", "defaults", "serial_defaults", "learn", "test_sticks"), writable
             ),
-            **dict.fromkeys(("save", "export"), shown),
+            **dict.fromkeys(("save", "export"), can_use_draft),
             "open": not device.writer.running,
             "record": recorder.recording or recorder.can_record,
             "run": device.motors.can_arm,
@@ -337,9 +332,9 @@ class TrexWorkspace(Workspace):
             "group": self._panel.can_join,
             "apply": device.writer.can_apply and draft.pending > 0,
             "power": device.is_connected and to_activate,
-            "discard": shown and draft.pending > 0,
-            "undo": shown and draft.undo.canUndo(),
-            "redo": shown and draft.undo.canRedo(),
+            "discard": can_use_draft and draft.pending > 0,
+            "undo": can_use_draft and draft.undo.canUndo(),
+            "redo": can_use_draft and draft.undo.canRedo(),
             "demo": self._controller.demo_in_use,
         }
 
@@ -362,7 +357,8 @@ class TrexWorkspace(Workspace):
         return self._close_prompt.may_close(leave)
 
     def prepare_to_close(self) -> None:
-        QObject.disconnect(self._undo_connection)  # an undo stack also emits while it is destroyed
+        # An undo stack also emits signals while it is destroyed.
+        QObject.disconnect(self._undo_connection)
         if not self._close_prompt.keeps_edits:
             self._device.edit_backup.discard()
         children = Qt.FindChildOption.FindDirectChildrenOnly

@@ -88,12 +88,9 @@ class BenchDialog(ReusedDialog):
         run.setAutoDefault(False)
         ui.set_bold(self._hold)
         set_look(self._hold, "primary")
-        self._open = button(
-            "benchOpenButton",
-            tr("&Open…"),
-            tip=tr("Open a saved test"),
-            on_click=self._prompt_and_open,
-        )
+        text, on_click = tr("&Open…"), self._prompt_and_open
+        tip = tr("Open a saved test")
+        self._open = button("benchOpenButton", text, tip=tip, on_click=on_click)
         self._save = button("benchSaveButton", tr("Sa&ve…"), on_click=self._prompt_and_save)
         close = button("benchCloseButton", tr("&Close"), on_click=self.close)
 
@@ -128,7 +125,7 @@ class BenchDialog(ReusedDialog):
         self._on_changed()
 
     def _add_plot(self) -> None:
-        """Create the plot after the window is shown, because creating both takes 200 ms."""
+        """Create the plot once the window is visible. Creating both at once would take 200 ms."""
         from trex_gui.devices.trex.views.bench.plot import BenchPlot  # noqa: PLC0415 - pyqtgraph
 
         self._plot = BenchPlot(self)
@@ -167,14 +164,14 @@ class BenchDialog(ReusedDialog):
         self,
         work: Callable[[], ResultT],
         path: Path,
-        then: Callable[[ResultT], object],
+        on_done: Callable[[ResultT], object],
         failure: str,
     ) -> None:
         def on_failed(error: StudioError) -> None:
             self._report(failure.format(path.name, reason_of(error)))
 
         remember_folder(path)
-        in_background(self, work, then, on_failed)
+        in_background(self, work, on_done, on_failed)
 
     def _report(self, text: str) -> None:
         self._message = text
@@ -245,7 +242,7 @@ class BenchDialog(ReusedDialog):
             self._compare.setCurrentIndex(data.index(selected) if selected in data else 0)
 
     @property
-    def _before(self) -> Run | None:
+    def _compared_run(self) -> Run | None:
         selected, runs = self._compare.currentData(), self.bench.runs
         if isinstance(selected, Run):
             return selected
@@ -260,7 +257,7 @@ class BenchDialog(ReusedDialog):
     @Slot()
     def _show_figures(self) -> None:
         run = None if self.bench.is_driving else self.bench.latest_run
-        self._figures.show_runs(run, self._before)
+        self._figures.show_runs(run, self._compared_run)
 
     def _schedule_frame(self) -> None:
         """Draw at most once per frame, so that drawing does not delay the serial line."""
@@ -274,7 +271,7 @@ class BenchDialog(ReusedDialog):
         plan = self.bench.plan
         profile = plan.profile.limited(self._device.motors.ceiling)
         self._plot.show_plan(profile, plan.abort_current, self._device.current_limit(plan.motor))
-        self._plot.show_runs(self.bench.latest_run, self._before)
+        self._plot.show_runs(self.bench.latest_run, self._compared_run)
         if self.bench.phase is not Phase.IDLE:
             self._schedule_frame()
 
@@ -335,11 +332,11 @@ class FiguresTable(QTableWidget):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def show_runs(self, run: Run | None, before: Run | None) -> None:
-        now, then = (Figures() if test is None else figures(test) for test in (run, before))
+        new, old = (Figures() if test is None else figures(test) for test in (run, before))
         for index, (_, field, unit, _) in enumerate(_rows()):
-            value, old = getattr(now, field), getattr(then, field)
-            change = None if value is None or old is None else value - old
-            texts = _text(value, unit), _text(old, unit), _text(change, unit, "+")
+            value, compared = getattr(new, field), getattr(old, field)
+            change = None if value is None or compared is None else value - compared
+            texts = _text(value, unit), _text(compared, unit), _text(change, unit, "+")
             for column, text in enumerate(texts):
                 self.model().setData(self.model().index(index, column), text)
 

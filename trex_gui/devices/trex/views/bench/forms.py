@@ -217,7 +217,7 @@ class TuningForm(ui.Card):
             editor.setAccessibleName(spec.name)
             editor.setToolTip(ui.plain(f"{spec.description} ({editor.toolTip()})"))
             editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance(_WIDEST) + 40)
-            # The card title names the motor, and the full name of P is too long.
+            # The card title names the motor, and the full name of parameter P is too long.
             is_limit_p = key.endswith(MotorParameter.CURRENT_LIMIT_P)
             name = tr("Limit P") if is_limit_p else spec.short_name
             label = ui.label(self._editors, text=name, tip=spec.description)
@@ -244,7 +244,7 @@ class TuningForm(ui.Card):
                 with QSignalBlocker(editor):
                     editor.setValue(wire)
             if parameters.values.is_modified(key) and stored is not None:
-                before = parameters.values.specs[key].text(stored)
-                edited.append(tr("{0} (stored: {1})").format(label.text(), before))
+                stored_text = parameters.values.specs[key].text(stored)
+                edited.append(tr("{0} (stored: {1})").format(label.text(), stored_text))
         self._edited.setText(tr("Not applied: {0}").format(", ".join(edited)))
         self._edited.setVisible(bool(edited))

@@ -24,7 +24,7 @@ class JumperPicture(Painted):
         super().__init__(parent)
         self.setObjectName("jumperPicture")
         self._jumpers: dict[str, Jumper] = {}
-        self._moved: Collection[str] = ()
+        self._to_move: Collection[str] = ()
         self._leds = Leds(self)
         ui.column(self._leds, 1, into=self, margins=(32, 20, 24, 20))
 
@@ -34,13 +34,13 @@ class JumperPicture(Painted):
         *,
         mode: str = "",
         so_ground: bool = False,
-        moved: Collection[str] = (),
+        to_move: Collection[str] = (),
         leds: tuple[str, str] | None = None,
     ) -> None:
         """Show the required jumper positions and the resulting LED patterns.
 
         If `mode` is empty, the mode jumper is off. If `mix` is `None`, the mix jumper is not
-        drawn. `moved` contains the keys of the jumpers to move: `mode`, `mix` or `so_ground`.
+        drawn. `to_move` contains the keys of the jumpers to move: `mode`, `mix` or `so_ground`.
         """
         names = {
             "mode": (tr("Mode: {0}").format(mode) if mode else tr("Mode: off"), bool(mode)),
@@ -49,10 +49,10 @@ class JumperPicture(Painted):
         }
         if mix is None:
             del names["mix"]
-        self._moved, self._jumpers = moved, {}
+        self._to_move, self._jumpers = to_move, {}
         for key, (name, is_on) in names.items():
             action = tr("put it on") if is_on else tr("remove it")
-            self._jumpers[key] = (f"{name}  {action}" if key in moved else name), is_on
+            self._jumpers[key] = (f"{name}  {action}" if key in to_move else name), is_on
         self.setAccessibleName(", ".join(text for text, _ in self._jumpers.values()))
         self._leds.setVisible(leds is not None)
         if leds is not None:
@@ -85,7 +85,7 @@ class JumperPicture(Painted):
             painter.setPen(QPen(color("accent"), 2))
             painter.setBrush(color("selected"))
             for number, key in enumerate(self._jumpers):
-                if key in self._moved:
+                if key in self._to_move:
                     top = origin.y() + number * step - 0.2 * line
                     box = QRectF(origin.x() - 8, top, self.width() - origin.x() - line, 2.2 * line)
                     painter.drawRoundedRect(box, 8, 8)

@@ -65,10 +65,10 @@ class BoardPage(QWidget):
         self,
         device: Device,
         group: BoardGroup,
-        start: Callable[[QWidget], QWidget],
+        create_start_panel: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
-        """Create the page. `start` creates the panel for the disconnected state."""
+        """Create the page. `create_start_panel` creates the panel for the disconnected state."""
         super().__init__(parent)
         self.setObjectName("boardPage")
         self._device = device
@@ -101,7 +101,7 @@ class BoardPage(QWidget):
         ui.column((self._problems, 1), (show, 0, Qt.AlignmentFlag.AlignLeft), into=problems)
         cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
         ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=8)
-        self._start = start(self)
+        self._start = create_start_panel(self)
         parts = self._lost, self._start, (self._report, 1)
         ui.column(*parts, into=self, margins=PAGE_MARGINS, spacing=12)
 

@@ -23,7 +23,7 @@ from trex_gui.ui.widgets.circuit import (
 from trex_gui.ui.widgets.leds import is_lit, paint_lamp
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
-PULLED = 10  # pixels between the socket and a pulled plug
+PLUG_GAP = 10  # pixels between the socket and a pulled plug
 _SPOKES = 5
 WHEEL = 3.9  # diameter, in lines of text
 _TURNS = 0.8  # turns per second at full speed (symbolic: the board measures no speed)
@@ -136,7 +136,7 @@ class LedPart(BoardPart):
     _is_lit = False
 
     @property
-    def blinks(self) -> bool:
+    def is_blinking(self) -> bool:
         return self.pattern not in {"", "on", "off"}
 
     def show_moment(self, seconds: float) -> None:
@@ -264,7 +264,7 @@ class PlugPart(BoardPart):
         return self.height() - 0.7 * self.fontMetrics().height()
 
     def paint(self, painter: QPainter) -> None:
-        y, end = self.wire_y, self.width() - (PULLED if self.is_out else 2)
+        y, end = self.wire_y, self.width() - (PLUG_GAP if self.is_out else 2)
         plug = QRectF(end - 12, y - 6, 12, 12)
         painter.setPen(QPen(theme().color("board_edge"), 3))
         painter.drawLine(QPointF(4, y), QPointF(plug.left(), y))

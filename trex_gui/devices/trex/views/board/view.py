@@ -42,7 +42,7 @@ _SOURCES = {
 
 _WIRE = 1.4  # lines of text between the board and the parts beside it
 _MIN_HEIGHT, _HEIGHT = 20, 26  # lines of text
-_SERIAL = 3.4  # lines of text: height of the serial line, of which 0.8 lines overlap the board
+_SERIAL = 3.4  # lines of text: height of the serial part, including 0.8 lines over the board
 _MAX_SCALE = 1.5  # maximum font scale, unless `_MANY_LINES` lines fit at a larger scale
 _MANY_LINES = 30
 
@@ -137,13 +137,13 @@ class BoardView(QWidget):
         channels, body, motors = columns
         body_height = self.height() - round((_SERIAL - 0.8) * line)
         self._body = QRect(left + channels + wire, 1, body, body_height)
-        beside = QRect(left, 1, channels, body_height - 8)  # all blocks fit between the holes
+        beside = QRect(left, 1, channels, body_height - 8)  # keeps all blocks between the holes
         self._place_column(self._channels, beside, round(2.8 * line))
         right = self._body.right() + wire
         self._place_column(
             self._motors, QRect(right, 1, motors, body_height), round(body_height / 3) - 4
         )
-        inside = self._body.adjusted(line + 4, 0, -line - 4, 0)  # without blocks and holes
+        inside = self._body.adjusted(line + 4, 0, -line - 4, 0)  # area without blocks and holes
         top = round(3.2 * line)
         half = inside.width() // 2
         for number, led in enumerate(self._leds):
@@ -218,8 +218,8 @@ class BoardView(QWidget):
         self._serial.show_lines(text, alarm=alarm)
         self._show_leds()
         motors = self._motors.values()
-        blinks = any(led.blinks for led in self._leds)
-        self._motion.run(blinks or any(motor.speed for motor in motors))
+        is_blinking = any(led.is_blinking for led in self._leds)
+        self._motion.run(is_blinking or any(motor.speed for motor in motors))
         if self._name() != self._shown_name:
             self._shown_name = self._name()
             self.update()

@@ -19,10 +19,11 @@ _CHECKED = Qt.CheckState.Checked
 _VISIBLE_BOARDS = 6
 
 
-class ApplyToSeveral(QObject):
+class ApplyToBoardsDialog(QObject):
     """Preview the changes of a file for each board, and write the file to the checked boards.
 
-    Closing the dialog ends the work after the current board. The window then reports the outcome.
+    Closing the dialog ends the work after the current board. The main window then reports the
+    outcome.
     """
 
     def __init__(self, boards: BoardList, device: Device, parent: QWidget) -> None:
@@ -45,8 +46,8 @@ class ApplyToSeveral(QObject):
             parent,
             names=Names("applyToBoardsDialog", "boards", "writeBoardsButton", "closeBoardsButton"),
             describe=self._describe,
-            act=self._on_write_clicked,
-            follows=(device.link_changed, device.motors.arming_changed),
+            on_action=self._on_write_clicked,
+            refresh_on=(device.link_changed, device.motors.arming_changed),
             above=self._table,
         )
         text, cancel = tr("&End after this board"), self.work.cancel
@@ -71,7 +72,7 @@ class ApplyToSeveral(QObject):
         else:
             self.work.review(document.settings, [board.number for board in self._boards.boards])
         self._fill()
-        self.dialog.open_anew()
+        self.dialog.reset_and_show()
 
     def _selected(self) -> list[int]:
         plans = enumerate(self.work.plans[: self._table.rowCount()])

@@ -55,14 +55,14 @@ class Changes:
     action: str = ""  # verb and count on the primary button; empty hides the button
     can_act: bool = False
     close: str = ""  # text of the close button, `Cancel` by default
-    closes_first: bool = False  # True if the close button is the default button
+    is_close_default: bool = False  # True if the close button is the default button
 
 
 class Question(InlinePrompt):
     def prompt_before(
         self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]
     ) -> None:
-        """Call `write`. Prompt first if `doubts` returns the names of doubtful values."""
+        """Call `write`, after a prompt if `doubts` returns the names of doubtful values."""
         names = doubts()
         if not names:
             write()
@@ -85,15 +85,15 @@ class ChangesDialog(ReusedDialog):
         *,
         names: Names,
         describe: Callable[[TickedOf], Changes | None],
-        act: Callable[[Rows], object],
-        follows: Sequence[SignalInstance] = (),
+        on_action: Callable[[Rows], object],
+        refresh_on: Sequence[SignalInstance] = (),
         above: QWidget | None = None,
     ) -> None:
         """Create the dialog.
 
         `describe` returns the content, or `None` to close the dialog. It is called when the dialog
         opens, when a row is checked or unchecked, and when a signal in `follows` is emitted. The
-        primary button calls `act` with the checked rows. `above` is a widget above the rows.
+        primary button calls `on_action` with the checked rows. `above` is a widget above the rows.
         """
         super().__init__(parent)
         prefix = names.prefix
@@ -101,7 +101,7 @@ class ChangesDialog(ReusedDialog):
         set_look(self, "sheet")
         resize_with_font(self, _WIDTH, 1)
         self._describe = describe
-        self._act = act
+        self._on_action = on_action
         self._is_rendering = False
 
         self._heading = named(Note(1, self), f"{prefix}Head")
@@ -140,7 +140,7 @@ class ChangesDialog(ReusedDialog):
             (self._parts, 1), bar, into=self, margins=(side, _MARGIN, side, side), spacing=0
         )
         self.rows.ticked_changed.connect(self.refresh)
-        for changed in follows:
+        for changed in refresh_on:
             changed.connect(self._on_changed)
 
     def add_above_buttons(self, part: QWidget) -> None:
@@ -165,7 +165,7 @@ class ChangesDialog(ReusedDialog):
     def ticked(self) -> Rows:
         return self.rows.table.ticked
 
-    def open_anew(self) -> None:
+    def reset_and_show(self) -> None:
         self.rows.show_nothing()
         self.refresh()
         self.show_in_front()
@@ -216,7 +216,7 @@ class ChangesDialog(ReusedDialog):
             self._close.setFocus()  # otherwise the focus would move to `Details`
         self.action.setVisible(bool(changes.action))
         self.action.setEnabled(changes.can_act)
-        is_primary = bool(changes.action) and changes.can_act and not changes.closes_first
+        is_primary = bool(changes.action) and changes.can_act and not changes.is_close_default
         self.action.setDefault(is_primary)
         set_look(self.action, "primary" if bool(changes.action) and changes.can_act else "")
         self._close.setText(changes.close or tr("Cancel"))
@@ -226,7 +226,7 @@ class ChangesDialog(ReusedDialog):
 
     @Slot()
     def _on_action_clicked(self) -> None:
-        self._act(self.ticked)
+        self._on_action(self.ticked)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -42,7 +42,7 @@ def load_dialog(
 
     `on_staged` is called with a message when the changes have become edits. `on_ended` is called
     with a message when the board has been disconnected. `side` is the heading of the document's
-    values, `File` by default. `edit` opens the file in the editor instead.
+    values, `File` by default. `edit` is called to open the file in the editor instead.
     """
     # Read now, because the document may be edited or deleted while the dialog is open.
     name, settings, findings = document.name, document.settings, document.findings
@@ -99,8 +99,8 @@ def load_dialog(
         parent,
         names=Names("loadSettingsDialog", "load", "takeChangesButton", "cancelLoadButton"),
         describe=describe,
-        act=load,
-        follows=(draft.pending_changed, draft.loaded, device.link_changed, device.state_changed),
+        on_action=load,
+        refresh_on=(draft.pending_changed, draft.loaded, device.link_changed, device.state_changed),
     )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     if edit is not None:
@@ -128,23 +128,24 @@ def _altered(conversion: Conversion) -> Iterator[str]:
 def show_comparison(
     device: Device,
     document: SettingsDocument,
-    other: GetSettings,
+    get_other: GetSettings,
     other_name: str,
     parent: QWidget,
     *,
     on_copied: Report,
     other_changed: SignalInstance | None = None,
 ) -> None:
-    """Open a dialog that compares a document with the settings that `other` returns.
+    """Open a dialog that compares a document with the settings that `get_other` returns.
 
-    `other_changed` is emitted when `other` returns new settings. `on_copied` is called with a
+    `other_changed` is emitted when these settings have changed. `on_copied` is called with a
     message when the user has copied values into the document as edits.
     """
     other_settings: Settings | None = None
 
     def describe(ticked_of: TickedOf) -> Changes | None:
         nonlocal other_settings
-        other_settings = other() or other_settings  # keep the last settings after a disconnection
+        # Keep the last settings after a disconnection.
+        other_settings = get_other() or other_settings
         own_settings, problem = document.settings, ""
         heading = tr("{0} and {1}").format(document.name, other_name)
         if own_settings is None or other_settings is None:
@@ -166,7 +167,7 @@ def show_comparison(
             action="" if problem else action,
             can_act=count > 0,
             close=tr("Close"),
-            closes_first=True,
+            is_close_default=True,
         )
 
     def copy(rows: Rows) -> None:
@@ -182,11 +183,11 @@ def show_comparison(
         parent,
         names=Names("compareDialog", "compare", "takeValuesButton", "closeCompareButton"),
         describe=describe,
-        act=copy,
-        follows=(document.changed, *([] if other_changed is None else [other_changed])),
+        on_action=copy,
+        refresh_on=(document.changed, *([] if other_changed is None else [other_changed])),
     )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    dialog.open_anew()
+    dialog.reset_and_show()
 
 
 def show_conversion(
@@ -255,10 +256,10 @@ def show_conversion(
         parent,
         names=Names("convertDialog", "convert", "convertButton", "cancelConvertButton"),
         describe=describe,
-        act=on_convert_clicked,
-        follows=(document.changed,),
+        on_action=on_convert_clicked,
+        refresh_on=(document.changed,),
         above=above,
     )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     choice.activated.connect(dialog.refresh)
-    dialog.open_anew()
+    dialog.reset_and_show()

@@ -60,8 +60,8 @@ class Review(QObject):
             parent,
             names=Names("reviewDialog", "review", "writeButton", "reviewCloseButton"),
             describe=self._describe,
-            act=self._on_write_clicked,
-            follows=(linter.changed, boards.changed, device.link_changed, *draft_changes),
+            on_action=self._on_write_clicked,
+            refresh_on=(linter.changed, boards.changed, device.link_changed, *draft_changes),
         )
         self._progress = progress_bar(self.dialog, "reviewProgress", tr("Progress of writing"))
         self._progress.setTextVisible(True)
@@ -113,11 +113,11 @@ class Review(QObject):
             self._problem = ""
             self._cycle.end()
             self._enter(_Phase.REVIEW)
-            self.dialog.open_anew()
+            self.dialog.reset_and_show()
 
     @Slot()
     def close_if_verified(self) -> None:
-        """Close the result if it requires no action by the user."""
+        """Close the result if it requires no user action."""
         if self._phase is _Phase.DONE and not self._problem and self._power.isHidden():
             self.dialog.close()
 
@@ -147,7 +147,7 @@ class Review(QObject):
     def _write_rows(self, rows: Rows) -> None:
         written = {row.key for row in rows}
         left_out = {row.key for row in self._changes().rows} - written
-        if left_out and self._revert():  # omitted defaults must not remain edits
+        if left_out and self._revert():  # omitted defaults must not remain as edits
             remaining = (row for row in self._defaults if row.key not in left_out)
             self._device.draft.stage((*remaining, *rows), self._title)
         self._problem = ""

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.views.learning.live_pages import (
     TravelRow,
 )
 from trex_gui.devices.trex.views.robot_view import RobotView
-from trex_gui.devices.trex.views.steps import Flow, Page, Shown
+from trex_gui.devices.trex.views.steps import Flow, FlowState, Page
 from trex_gui.ui.widgets import builders as ui
 
 # Indexes in the step strip. The stick test also has index 1. All other steps have index 0.
@@ -33,7 +33,10 @@ class LearnFlow(Flow):
     def __init__(
         self, learning: Learning, parent: QObject | None = None, *, name: str = "learn"
     ) -> None:
-        """Create the flow. With another `name`, it is part of a larger task and starts no test."""
+        """Create the flow.
+
+        A `name` other than `learn` makes the flow part of a larger task that starts no stick test.
+        """
         super().__init__(parent)
         self.name = name
         self.learning = learning
@@ -114,7 +117,7 @@ class LearnFlow(Flow):
 
     # --- Pages --------------------------------------------------------------------------
 
-    def shown(self) -> Shown:
+    def state(self) -> FlowState:
         learning, step = self.learning, self.learning.step
         title = title_of(tr("&Learn channels…"))
         titles = [tr("Stop the motors"), tr("Hands off"), tr("All ends"), tr("Review")]
@@ -137,7 +140,7 @@ class LearnFlow(Flow):
         elif step in {LearningStep.TEST, LearningStep.FAILED}:
             text = ""
         final_steps = {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
-        return Shown(
+        return FlowState(
             title,
             titles,
             min(self._index, len(titles) - 1),
@@ -147,7 +150,7 @@ class LearnFlow(Flow):
             next=text,
             may_go_on=may_go_on,
             may_go_back=step in {LearningStep.TRAVEL, LearningStep.REVIEW},
-            closes=self._offers_test or step in {LearningStep.TEST, LearningStep.DOUBT},
+            is_close_primary=self._offers_test or step in {LearningStep.TEST, LearningStep.DOUBT},
             close="" if step in final_steps else tr("Cancel"),
         )
 

@@ -162,7 +162,7 @@ class EndSign(QLabel):
         self._state, (sign, color, text) = state, state.value
         self.setText(sign and f"{self._name} {sign}")
         set_text_color(self, color)
-        self.setToolTip(ui.plain(tr(text).format(self._name)))  # for screen readers, too
+        self.setToolTip(ui.plain(tr(text).format(self._name)))  # also for screen readers
 
 
 class TravelRow(ChannelRow[LearnedChannel]):

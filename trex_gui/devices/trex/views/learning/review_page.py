@@ -49,7 +49,7 @@ class ChannelForm(QWidget):
             self,
             f"learnInclude{number}",
             tr("Use &channel {0}: {1}").format(number, tr(CHANNEL_ROLES[number])),
-            on_click=lambda included: self._select(included=included),
+            on_click=lambda included: self._set_choice(included=included),
         )
         ui.set_bold(self._include)
         self._values = QWidget(self)
@@ -79,7 +79,7 @@ class ChannelForm(QWidget):
             self,
             f"learnReversed{number}",
             tr("&Reversed"),
-            on_click=lambda reversed_: self._select(reversed_=reversed_),
+            on_click=lambda reversed_: self._set_choice(reversed_=reversed_),
         )
         grid.addWidget(self._reversed, len(names), 1)
         grid.addWidget(was_reversed, len(names), 2)
@@ -90,7 +90,7 @@ class ChannelForm(QWidget):
         ui.column(*items, 1, into=self, margins=0, spacing=4)
         units().changed.connect(self.refresh)
 
-    def _select(self, **changes: Any) -> None:
+    def _set_choice(self, **changes: Any) -> None:
         self._learning.set_choice(self.channel.number, **changes)
 
     @Slot()
@@ -99,7 +99,7 @@ class ChannelForm(QWidget):
 
     def _on_value_changed(self, field: str, value: int) -> None:
         values = {name: editor.value() for name, editor in self._editors.items()}
-        self._select(calibration=Calibration(**{**values, field: value}))
+        self._set_choice(calibration=Calibration(**{**values, field: value}))
 
     @Slot()
     def refresh(self) -> None:
@@ -160,13 +160,13 @@ class ReviewPage(Page):
         self._plot.setMinimumHeight(_CURVE_LINES * metrics.lineSpacing())
         after = LegendKey(tr("proposed"), "pointer", self)
         before = LegendKey(tr("as it was"), "muted", self, Qt.PenStyle.DashLine)
-        self._keys = after, ui.named(before, "learnCurveBefore")
+        self._legend = after, ui.named(before, "learnCurveBefore")
         self._live = ui.named(Muted("", self), "learnCurveLive")
         source = learning.preconditions.source
         reasons = tr(WHY_THESE_VALUES).format(source.text(deadband_floor(source)))
         self._common = ui.named(Muted(reasons, self.side), "learnCommonReasons")
         self._earlier = ui.named(Note(0, self.side), "learnEarlierEdits")
-        items = self._tabs, ui.row(*self._keys, 1), (self._plot, 1), self._live
+        items = self._tabs, ui.row(*self._legend, 1), (self._plot, 1), self._live
         ui.column(*items, into=self, margins=0)
         ui.column(*self._forms, self._common, self._earlier, into=self.side, margins=0)
 
@@ -199,7 +199,7 @@ class ReviewPage(Page):
         before, after = channel.curve_before, channel.curve_after
         number, source, editable = channel.number, channel.source, channel.is_included
         self._plot.show_channel(number, source, before, after, editable=editable)
-        for key, curve in zip(self._keys, (after, before), strict=True):
+        for key, curve in zip(self._legend, (after, before), strict=True):
             key.setVisible(curve is not None and before != after)
         self._on_measured()
         self._common.setVisible(any(form.channel.choice is not None for form in self._forms))

@@ -62,7 +62,7 @@ class CurrentsPanel(TracePanel):
         if settings is not None and settings.group:
             title = tr("Board {0}").format(settings.device_number)
         self._head.show_title(title)
-        if name := self._device.board_name:  # else the curves and their heading remain
+        if name := self._device.board_name:  # otherwise the curves and their heading remain
             self.export.heading = f"{tr('Motor currents')}, {name}"
         if note != self._note_text:  # the result of an export remains until the note changes
             self._note_text = note

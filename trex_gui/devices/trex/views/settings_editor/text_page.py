@@ -21,16 +21,16 @@ from trex_gui.ui.widgets.builders import button, column, label, named, row, spli
 from trex_gui.ui.widgets.painted import Painter
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_MARGIN = 6
+_MARGIN = 6  # pixels
 # Line ends in Qt. YAML defines other line ends.
 EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")
 
 
-def with_line_ends(lines: Sequence[str], before: str) -> str:
-    """Join the lines of an editor. Each changed line gets the first line end of `before`."""
-    old_ends, old, new = EDITOR_BREAK.findall(before), EDITOR_BREAK.split(before), list(lines)
+def with_line_ends(lines: Sequence[str], old_text: str) -> str:
+    """Join the lines of an editor. Changed lines get the first line end of `old_text`."""
+    old_ends, old, new = EDITOR_BREAK.findall(old_text), EDITOR_BREAK.split(old_text), list(lines)
     if new == old:
-        return before
+        return old_text
     same_first, same_last = _common_length(new, old), _common_length(new[::-1], old[::-1])
     shift = len(old) - len(new)
     new_ends = [old_ends[0] if old_ends else "\n"] * (len(new) - 1)
@@ -81,7 +81,7 @@ class TextPage(QWidget):
         self._check.clicked.connect(self._check_again)
         self._repair.clicked.connect(self._on_repair_clicked)
         self.editor.textChanged.connect(self._on_typed)
-        self._findings.line_chosen.connect(self.show_line)
+        self._findings.line_requested.connect(self.show_line)
         document.changed.connect(self._on_changed)
         self._on_changed()
 
@@ -114,7 +114,7 @@ class TextPage(QWidget):
             cursor = QTextCursor(self.editor.document())  # undoable, unlike `setPlainText`
             cursor.select(QTextCursor.SelectionType.Document)
             cursor.insertText(text.removeprefix(BYTE_ORDER_MARK))
-            self._shown = text  # the editor would change some of its line ends
+            self._shown = text  # the editor would change some line ends of this text
             document.set_text(text)
         self._check_again()
         self.repaired.emit(repairs)

@@ -150,10 +150,10 @@ class SettingsEditor(QMainWindow):
         return path is not None and self.save_to(path)
 
     def save_to(self, path: Path, *, ask: bool = False) -> bool:
-        trouble = self.document.problem
-        if trouble and not file_questions.may_rewrite(self, trouble):
+        problem = self.document.problem
+        if problem and not file_questions.may_rewrite(self, problem):
             return False
-        return self.saver.save(path, partial(self.document.content, fresh=bool(trouble)), ask=ask)
+        return self.saver.save(path, partial(self.document.content, fresh=bool(problem)), ask=ask)
 
     @Slot(object)
     def _on_saved(self, path: Path) -> None:
@@ -215,12 +215,10 @@ class SettingsEditor(QMainWindow):
             self._compare(lambda: factory, tr("Factory defaults"))
 
     def _compare(
-        self, other: GetSettings, name: str, changed: SignalInstance | None = None
+        self, get_other: GetSettings, name: str, changed: SignalInstance | None = None
     ) -> None:
-        news = self._banner.show_news
-        show_comparison(
-            self._device, self.document, other, name, self, on_copied=news, other_changed=changed
-        )
+        show = partial(show_comparison, self._device, self.document, get_other, name, self)
+        show(on_copied=self._banner.show_news, other_changed=changed)
 
     def convert(self) -> None:
         show_conversion(self._device, self.document, self, self.converted.emit)

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.views.setup.pages import (
     SummaryPage,
     TimeoutPage,
 )
-from trex_gui.devices.trex.views.steps import Flow, Page, Shown
+from trex_gui.devices.trex.views.steps import Flow, FlowState, Page
 
 
 class SetupFlow(Flow):
@@ -102,25 +102,25 @@ class SetupFlow(Flow):
         if self._is_learning:
             self._learn.learning.cancel()
 
-    def shown(self) -> Shown:
+    def state(self) -> FlowState:
         setup, step, title = self.setup, self.setup.step, tr("Set up my robot")
         names = {key: self._titles[key].replace("&", "") for key in setup.steps}
-        titles, now = list(names.values()), setup.steps.index(step)
+        titles, current = list(names.values()), setup.steps.index(step)
         undone = [names[key] for key in setup.open_steps]
         if self._is_learning:
-            shown = self._learn.shown()
-            shown = replace(shown, title=title, titles=titles, now=now, undone=undone)
-            return replace(shown, may_go_back=True, may_skip=True)
+            state = self._learn.state()
+            state = replace(state, title=title, titles=titles, current=current, undone=undone)
+            return replace(state, may_go_back=True, may_skip=True)
         self._learn.show_buttons(hidden=True)
         if step not in self._pages:
             self._pages[step] = self._factories[step]()
         is_last = step is SetupStep.REVIEW
         pending = self._device.draft.pending
         can_apply = self._device.writer.can_apply and pending > 0
-        return Shown(
+        return FlowState(
             title,
             titles,
-            now,
+            current,
             self._pages[step],
             note=setup.blocker or self._edits_text(),
             is_alarming=bool(setup.blocker),
@@ -129,7 +129,7 @@ class SetupFlow(Flow):
             may_go_on=can_apply if is_last else not setup.blocker,
             may_go_back=step is not SetupStep.DRIVER,
             may_skip=step is not SetupStep.DRIVER and not is_last,
-            closes=is_last and not pending,
+            is_close_primary=is_last and not pending,
         )
 
     def _edits_text(self) -> str:

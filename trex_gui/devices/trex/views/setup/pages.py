@@ -76,8 +76,8 @@ class JumperPage(Page):
         for key, note in (("mode", self._mode), ("mix", self._mix)):
             good, text = checks.get(key, (None, ""))
             note.show_note(f"✓ {text}" if good else text, alarming=good is False)
-        moved = [key for key, (good, _) in checks.items() if good is False]
-        self._picture.show_jumpers(is_mixed, moved=moved)
+        to_move = [key for key, (good, _) in checks.items() if good is False]
+        self._picture.show_jumpers(is_mixed, to_move=to_move)
 
     def _mode_result(self) -> tuple[bool | None, str]:
         """Return the result of the check, `None` if unknown, and a text for the user."""
@@ -120,16 +120,8 @@ class LimitsPage(Page):
             Preset.AUTONOMOUS: tr("&Autonomous robot"),
         }
         self._choices = Choices("setupPreset", texts, self, columns=2)
-        self._limit = ui.double_spin_box(
-            self.side,
-            "setupCurrentLimit",
-            "",
-            0.0,
-            1.0,
-            decimals=2,
-            suffix=" A",
-            on_change=self._on_limit_changed,
-        )
+        spin = partial(ui.double_spin_box, self.side, "setupCurrentLimit", "", 0.0, 1.0)
+        self._limit = spin(decimals=2, suffix=" A", on_change=self._on_limit_changed)
         self._limit.setSpecialValueText(tr("off", "limit"))
         self._hint = ui.named(Note(6, self.side), "setupLimitHint")
         self._choices.chosen.connect(setup.select_preset)
@@ -159,7 +151,7 @@ class LimitsPage(Page):
         self._hint.show_note(self._hint_text())
 
     def _show_ramps(self, preset: Preset | None) -> None:
-        """Show the ramps and values of a preset, or those of the board if `preset` is `None`."""
+        """Show the ramps and values of a preset, or of the board if `preset` is `None`."""
         parameters = self._device.parameters
         values = parameters.values
         wire = values.stored if preset is None else preset.values(parameters.model_key)
@@ -200,17 +192,8 @@ class TimeoutPage(Page):
         super().__init__("setupTimeoutPage", tr("If the cable falls out, the board stops"))
         self._device = device
         self._setup = setup
-        self._seconds = ui.double_spin_box(
-            self,
-            "setupTimeout",
-            "",
-            0.1,
-            12.7,
-            decimals=1,
-            step=0.1,
-            suffix=tr(" s"),
-            on_change=lambda seconds: setup.select_timeout(round(10 * seconds)),
-        )
+        spin = partial(ui.double_spin_box, self, "setupTimeout", "", 0.1, 12.7, suffix=tr(" s"))
+        self._seconds = spin(decimals=1, step=0.1, on_change=self._on_seconds_changed)
         self._short = ui.named(Note(2, self), "setupTimeoutShort")
         title = ui.label(self, text=tr("&Stop the motors after a silence of"), buddy=self._seconds)
         hint = tr(
@@ -219,6 +202,10 @@ class TimeoutPage(Page):
         )
         seconds = self._seconds, 0, Qt.AlignmentFlag.AlignLeft
         ui.column(title, seconds, Muted(hint, self), self._short, 1, into=self, margins=0)
+
+    @Slot(float)
+    def _on_seconds_changed(self, seconds: float) -> None:
+        self._setup.select_timeout(round(10 * seconds))
 
     def refresh(self) -> None:
         seconds, settings = self._setup.timeout / 10, self._device.settings

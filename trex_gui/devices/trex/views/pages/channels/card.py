@@ -36,7 +36,7 @@ class ChannelCard(Card):
         self.setObjectName("channelCard")
         self._draft = draft
         self._key = CalibrationKey.RC_CHANNEL_1
-        self._editable = False
+        self._is_editable = False
         self._before: ChannelCurve | None = None
         self.plot: CurvePlot | None = None
         self._title = label(self, "channelTitle", size="heading")
@@ -46,7 +46,7 @@ class ChannelCard(Card):
         self.sources.setUsesScrollButtons(False)
         self.sources.addTab(tr("RC pulses"))
         self.sources.addTab(tr("Analog"))
-        self._keys = (
+        self._legend = (
             LegendKey(tr("edited"), "pointer", self),
             LegendKey(tr("stored"), "muted", self, Qt.PenStyle.DashLine),
         )
@@ -64,7 +64,7 @@ class ChannelCard(Card):
         """Place the page's widgets beside the title, above the curve and around the note field."""
         first, last = buttons
         title = row(self._title, (beside, 1), self.sources, spacing=12)
-        legend = row((live, 1), *self._keys, spacing=16)
+        legend = row((live, 1), *self._legend, spacing=16)
         below = row(first, (self._note_field, 1), last, spacing=8)
         parts = column(title, *above, legend, spacing=4), self.note, self._fields, self.options
         self._inside = column(*parts, below, into=self, spacing=6)
@@ -93,25 +93,25 @@ class ChannelCard(Card):
         editable: bool,
     ) -> None:
         channel, name = key.channel, tr(CHANNEL_NAMES[key.channel])
-        self._key, self._before, self._editable = key, before, editable
+        self._key, self._before, self._is_editable = key, before, editable
         self._title.setText(f"{channel}  {name}")
         self.setAccessibleName(tr("Channel {0}: {1}").format(channel, name))
         with QSignalBlocker(self.sources):
             self.sources.setCurrentIndex(_SOURCES.index(key.source))
         self._fields.show_calibration(key.source, shown, editable=editable)
         self._note_field.show_note_on(key, tr("the calibration of {0}").format(key.label))
-        self._show_keys(before != after)
+        self._show_legend(before != after)
         if self.plot is not None:
             self.plot.show_channel(channel, key.source, before, after, editable=editable)
 
-    def _show_keys(self, differs: bool) -> None:
-        for key in self._keys:
+    def _show_legend(self, differs: bool) -> None:
+        for key in self._legend:
             key.setVisible(differs)
 
     @Slot(object)
     def _on_previewed(self, calibration: Calibration) -> None:
-        self._fields.show_calibration(self._key.source, calibration, editable=self._editable)
-        self._show_keys(self.plot is not None and self.plot.curve != self._before)
+        self._fields.show_calibration(self._key.source, calibration, editable=self._is_editable)
+        self._show_legend(self.plot is not None and self.plot.curve != self._before)
 
     @Slot(object)
     @Slot(object, object)

@@ -78,7 +78,7 @@ class CalibrationFields(QWidget):
         if problem := channel_text.wrong_order(edited, self._source):
             self.show_calibration(self._source, calibration, editable=True)
             self.rejected.emit(problem)
-        elif self._editors[field].stepping:
+        elif self._editors[field].is_stepping:
             self.edited.emit(edited, self._undo_step)
         else:
             self._on_step_ended()
@@ -119,7 +119,7 @@ class ChannelOptions(QWidget):
         super().__init__(parent)
         self._parameters = parameters
         self._channel = 1
-        self._editable = False
+        self._is_editable = False
         self._blocker = ""
         self._boxes = {
             key: ui.check_box(
@@ -140,7 +140,7 @@ class ChannelOptions(QWidget):
         self, channel: int, source: InputSource, *, editable: bool, blocker: str = ""
     ) -> None:
         """Show the options for an input source. `blocker` is the reason why they are disabled."""
-        self._channel, self._editable = channel, editable and not blocker
+        self._channel, self._is_editable = channel, editable and not blocker
         self._blocker = blocker
         self._boxes[ParameterKey.REQUIRED_CHANNELS].setVisible(source is InputSource.RC)
         self._refresh()
@@ -178,7 +178,7 @@ class ChannelOptions(QWidget):
         for key, box in self._boxes.items():
             with QSignalBlocker(box):
                 box.setChecked(self._bit(key, self._channel))
-            box.setEnabled(self._editable and self._parameters.values.can_edit(key))
+            box.setEnabled(self._is_editable and self._parameters.values.can_edit(key))
             box.setToolTip(ui.plain(self._blocker or tr(CHANNEL_OPTIONS[key][1])))
             ui.set_bold(box, self._is_edited(key, self._channel))
 

@@ -26,7 +26,7 @@ _EDGES = (Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH)
 @dataclass(frozen=True, slots=True)
 class Threshold:
     x: float  # pixels
-    above: bool  # True if the switch is on to the right of the threshold
+    is_on_right: bool  # True if the switch is on to the right of the threshold
     text: str
 
 
@@ -45,7 +45,7 @@ class HandleLayer(QGraphicsObject):
         self._frame = QRectF()
         self._positions: dict[Handle, float] = {}  # handle → x in pixels
         self._threshold: Threshold | None = None
-        self._editable = True
+        self._is_editable = True
         self._active: Handle | None = None
         self._grab_offset = 0.0  # pixels from the held handle to the mouse
         self.held: Handle | None = None  # handle that the mouse drags
@@ -75,7 +75,7 @@ class HandleLayer(QGraphicsObject):
         """Show grips if the curve is editable. Otherwise release the held handle and hide grips."""
         if not editable:
             self.release()
-        self._editable = editable
+        self._is_editable = editable
         self.update()
 
     def show_message(self, message: str) -> None:
@@ -84,7 +84,7 @@ class HandleLayer(QGraphicsObject):
 
     def _handle_at(self, point: QPointF) -> Handle | None:
         """Return the handle at a point. Deadband handles have priority in the lower half."""
-        if not self._editable or not self._positions:
+        if not self._is_editable or not self._positions:
             return None
         lower = point.y() > self._frame.center().y()
         for group in (_EDGES, _MAIN) if lower else (_MAIN, _EDGES):
@@ -161,7 +161,7 @@ class HandleLayer(QGraphicsObject):
         style = Qt.PenStyle.SolidLine if active else Qt.PenStyle.DotLine
         if active or not handle.is_deadband:  # the filled deadband already shows these limits
             self._paint_line(painter, x, QPen(color, 2 if active else 1, style))
-        if not self._editable:
+        if not self._is_editable:
             return
         tip, base = frame.top() + GRIP * 0.9, frame.top() - GRIP * 0.7
         if handle.is_deadband:
@@ -208,7 +208,7 @@ class HandleLayer(QGraphicsObject):
         pen = QPen(theme().color("muted"), 1, Qt.PenStyle.DashLine)
         self._paint_line(painter, x, pen)
         width, height = self._width(threshold.text) + 2, self._metrics.height()
-        left = x + 5 if threshold.above else x - 5 - width
+        left = x + 5 if threshold.is_on_right else x - 5 - width
         box = QRectF(left, frame.top() + frame.height() * 0.3 - height / 2, width, height)
         self._paint_text(painter, box, threshold.text, pen, filled=True)
 

@@ -107,7 +107,7 @@ class ChannelsPage(PlotPage):
         return self.source is self._device.calibrations.source
 
     @property
-    def _editable(self) -> bool:
+    def _is_editable(self) -> bool:
         device = self._device
         return device.is_writable and self._is_active and not device.writer.is_rejected
 
@@ -133,7 +133,7 @@ class ChannelsPage(PlotPage):
         self._show_channel()
 
     def _show_channel(self) -> None:
-        channel, editable, is_active = self.channel, self._editable, self._is_active
+        channel, editable, is_active = self.channel, self._is_editable, self._is_active
         shown = self._calibration()
         after = self._options.curve(channel, shown)
         before = self._device.draft.stored_curve(channel) if is_active else after
@@ -204,7 +204,7 @@ class ChannelsPage(PlotPage):
         self._findings.set_can_accept(is_connected and not reason)
         self._change.setEnabled(self._device.is_writable and self._is_active)
         edited = self._is_edited(self.channel)
-        self._menu.show_channel(self.channel, editable=self._editable, edited=edited)
+        self._menu.show_channel(self.channel, editable=self._is_editable, edited=edited)
 
     def _is_edited(self, channel: int) -> bool:
         calibrations = self._device.calibrations

@@ -38,8 +38,8 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 STRIP_SECONDS = 10.0
 _INTERVAL = 0.06  # seconds between redraws (two frames)
-_MAX_GAP = 0.5  # maximum seconds between two samples that a line connects
-_PADDING, _GAP, _TRACK, _OVERHANG = 10, 7, 8, 3  # pixels
+_MAX_GAP = 0.5  # seconds; samples that are further apart are not connected by a line
+_PADDING, _SPACING, _TRACK, _OVERHANG = 10, 7, 8, 3  # pixels
 _RIGHT = Qt.AlignmentFlag.AlignRight
 
 
@@ -140,19 +140,19 @@ class ChannelStrip(QAbstractButton, Spoken):
         return QFontMetrics(font).horizontalAdvance(f"0  {role}  0000 µs  −000") + 2 * _PADDING
 
     def _large_font(self) -> QFont:
-        """Return a larger font if the strip is wide enough for it."""
+        """Return a larger font, or the normal font if the strip is too narrow."""
         larger = scaled_font(self.font(), 1.15)
         return larger if self._width(larger, f"{self._name} MM") <= self.width() else self.font()
 
     def _bar_top(self) -> int:
         height = QFontMetrics(scaled_font(self.font(), 1.15)).height()
-        return _PADDING + height + _GAP - _OVERHANG
+        return _PADDING + height + _SPACING - _OVERHANG
 
     def sizeHint(self) -> QSize:
         return QSize(2 * self._width(self.font(), self._name), self._bar_top() * 3)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(self._width(self.font(), "MMM"), self._bar_top() + _TRACK + 4 * _GAP)
+        return QSize(self._width(self.font(), "MMM"), self._bar_top() + _TRACK + 4 * _SPACING)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         area = self.rect().adjusted(_PADDING, _PADDING, -_PADDING, -_PADDING)
@@ -169,7 +169,7 @@ class ChannelStrip(QAbstractButton, Spoken):
                 self._paint_texts(painter, area)
             track = QRectF(area.left(), self._bar_top() + _OVERHANG, area.width(), _TRACK)
             paint_input(painter, track, self._axis, self._count, self._calibration)
-            top = track.bottom() + _GAP
+            top = track.bottom() + _SPACING
             self._paint_line(painter, QRectF(area.left(), top, area.width(), area.bottom() - top))
 
     def _paint_texts(self, painter: QPainter, area: QRect) -> None:

@@ -60,8 +60,8 @@ class PadView(QWidget):
             lamp.setAccessibleDescription(tr("pressed") if lamp.lit else "")
 
 
-class PartRow(QWidget):
-    """Row that assigns an axis or a button of the gamepad to a use."""
+class AssignmentRow(QWidget):
+    """Row that assigns an axis or a button of the gamepad to a function."""
 
     chosen = Signal()  # the user has selected an axis, its direction or a button
 
@@ -76,15 +76,15 @@ class PartRow(QWidget):
         self.setFocusProxy(self._combo)
         ui.row((self._combo, 1), self._invert, into=self, margins=0)
 
-    def set_use(self, text: str) -> None:
-        self.label.setText(tr("{0}: {1}").format(text, "").rstrip())
-        use = text.replace("&", "")
-        self._combo.setAccessibleName(use)
-        self._invert.setAccessibleName(tr("{0}: inverted").format(use))
+    def set_function(self, title: str) -> None:
+        self.label.setText(tr("{0}: {1}").format(title, "").rstrip())
+        name = title.replace("&", "")
+        self._combo.setAccessibleName(name)
+        self._invert.setAccessibleName(tr("{0}: inverted").format(name))
 
-    def set_parts(self, names: list[str], none: str = "") -> None:
-        """List the names of axes or buttons. `none` is the text of the item for no selection."""
-        items: list[tuple[str, int | None]] = [(none, None)] if none else []
+    def set_inputs(self, names: list[str], none_text: str = "") -> None:
+        """List the names of axes or buttons. `none_text` is the item for no selection."""
+        items: list[tuple[str, int | None]] = [(none_text, None)] if none_text else []
         items += [(name, number) for number, name in enumerate(names)]
         shown = [self._combo.itemText(row) for row in range(self._combo.count())]
         if shown != [text for text, _ in items]:
@@ -101,7 +101,7 @@ class PartRow(QWidget):
     def axis(self) -> Axis:
         return Axis(self.number or 0, self._invert.isChecked())
 
-    def show_part(self, number: int | None, *, inverted: bool = False) -> None:
+    def show_input(self, number: int | None, *, inverted: bool = False) -> None:
         """Show the selected axis or button without emitting `chosen`."""
         numbers = [self._combo.itemData(row) for row in range(self._combo.count())]
         self._combo.setCurrentIndex(numbers.index(number) if number in numbers else -1)
@@ -132,11 +132,11 @@ class GamepadDialog(ReusedDialog):
             on_activate=self._on_edited,
         )
         self._rows = {
-            key: PartRow(key.capitalize(), uses, is_axis=key in _AXES)
+            key: AssignmentRow(key.capitalize(), uses, is_axis=key in _AXES)
             for key in (*_AXES, "hold", "stop")
         }
-        self._rows["hold"].set_use(tr("&Hold to drive"))
-        self._rows["stop"].set_use(tr("&Stop everything"))
+        self._rows["hold"].set_function(tr("&Hold to drive"))
+        self._rows["stop"].set_function(tr("&Stop everything"))
         percent = partial(ui.spin_box, uses, lowest=0, suffix=" %", on_change=self._on_edited)
         self._dead_zone = percent(
             "gamepadDeadZoneSpin",
@@ -186,7 +186,7 @@ class GamepadDialog(ReusedDialog):
     @Slot()
     def _on_edited(self) -> None:
         hold, stop = self._rows["hold"].number, self._rows["stop"].number
-        if hold is not None and hold == stop:  # only the new use of the button remains
+        if hold is not None and hold == stop:  # only the new assignment of the button remains
             hold, stop = (None, stop) if stop != self._gamepad.profile.stop else (hold, None)
         profile = GamepadProfile(
             style=Style(self._style.currentData()),
@@ -209,8 +209,8 @@ class GamepadDialog(ReusedDialog):
     def _on_gamepad_changed(self) -> None:
         pad, profile = self._gamepad.pad, self._gamepad.profile
         is_tank = profile.style is Style.TANK
-        self._rows["first"].set_use(tr("&Left motor") if is_tank else tr("&Forward"))
-        self._rows["second"].set_use(tr("Right &motor") if is_tank else tr("&Turn"))
+        self._rows["first"].set_function(tr("&Left motor") if is_tank else tr("&Forward"))
+        self._rows["second"].set_function(tr("Right &motor") if is_tank else tr("&Turn"))
         if pad != self._live.pad:
             old, self._live = self._live, PadView(pad, self._live.parentWidget())
             self._live_layout.replaceWidget(old, self._live)
@@ -236,16 +236,16 @@ class GamepadDialog(ReusedDialog):
     def _show_profile(self, pad: Pad, profile: GamepadProfile) -> None:
         first, second, hold, stop = self._rows.values()
         for row, axis in ((first, profile.first), (second, profile.second)):
-            row.set_parts(_axis_names(pad))
-            row.show_part(axis.number, inverted=axis.inverted)
-        hold.set_parts(_button_names(pad), tr("none: a moved stick drives"))
-        hold.show_part(profile.hold)
-        stop.set_parts(_button_names(pad), tr("none"))
-        stop.show_part(profile.stop)
+            row.set_inputs(_axis_names(pad))
+            row.show_input(axis.number, inverted=axis.inverted)
+        hold.set_inputs(_button_names(pad), tr("none: a moved stick drives"))
+        hold.show_input(profile.hold)
+        stop.set_inputs(_button_names(pad), tr("none"))
+        stop.show_input(profile.stop)
         self._style.setCurrentIndex(self._style.findData(profile.style))
-        for spin, part in ((self._dead_zone, profile.dead_zone), (self._expo, profile.expo)):
+        for spin, fraction in ((self._dead_zone, profile.dead_zone), (self._expo, profile.expo)):
             with QSignalBlocker(spin):
-                spin.setValue(round(100 * part))
+                spin.setValue(round(100 * fraction))
 
     @Slot()
     def _on_gamepad_moved(self) -> None:

@@ -43,7 +43,7 @@ _REPEAT_MS = 20  # X11 delivers the press of a repeated key within this time aft
 
 
 class KeyDriver(QObject):
-    """Event filter that receives the keys of the page's window before its widgets.
+    """Event filter that receives the keys of the page's window before the widgets do.
 
     While `enabled` is true, keys drive wherever the focus is, except in fields, tables and lists.
     While the pad has the focus, keys always drive.
@@ -67,8 +67,8 @@ class KeyDriver(QObject):
         self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = PressMonitor(page)
         # True if a key repeat arrives as a release and a press
-        self.repeats_apart = QGuiApplication.platformName() == "xcb"
-        self._released = 0, 0  # scan code and time of the last release, perhaps of a repeat
+        self.has_split_repeats = QGuiApplication.platformName() == "xcb"
+        self._released = 0, 0  # scan code and time of the last release, which may be a repeat
         self._repeat_timer = new_timer(
             self, _REPEAT_MS, self._on_release_confirmed, single_shot=True
         )
@@ -131,7 +131,7 @@ class KeyDriver(QObject):
             self.release()
             return is_known
         self._released = scan_code, event.timestamp()
-        if self.repeats_apart:
+        if self.has_split_repeats:
             self._repeat_timer.start()
         else:
             self._on_release_confirmed()

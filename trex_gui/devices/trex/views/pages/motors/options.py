@@ -105,7 +105,7 @@ class DriveWith(ui.Card):
 
 
 class Options(ui.Card):
-    """Rarely changed options. All of them except the ramp are stored."""
+    """Rarely changed options. All options except the ramp are stored."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(title_of(tr("E&xtra options")), parent)
@@ -149,12 +149,12 @@ class Options(ui.Card):
             "Stop both motors and the auxiliary when another page is shown or the window is "
             "minimized"
         )
-        store = "motors/stop_on_leaving"
-        self.stop_on_leaving = self._create_stored("stopOnLeaving", text, tip, store)
+        key = "motors/stop_on_leaving"
+        self.stop_on_leaving = self._create_stored_box("stopOnLeaving", text, tip, key)
         text = tr("Sliders return to &zero")
         tip = tr("A slider drives only while you hold it; letting go brakes its motor")
-        store = "motors/return_to_zero"
-        self.return_to_zero = self._create_stored("returnToZero", text, tip, store)
+        key = "motors/return_to_zero"
+        self.return_to_zero = self._create_stored_box("returnToZero", text, tip, key)
 
         numbers = ui.grid(spacing=(_SPACING, _SPACING), stretch=[(0, 1)])
         for row, (text, entry) in enumerate(((title, brake), (lock_title, lock))):
@@ -169,9 +169,9 @@ class Options(ui.Card):
         motors.options_changed.connect(self._on_options_changed)
         self._on_options_changed()
 
-    def _create_stored(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
-        checked, store = self._store.flag(key, default=False), partial(self._store.set, key)
-        return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=store)
+    def _create_stored_box(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
+        checked, save = self._store.flag(key, default=False), partial(self._store.set, key)
+        return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=save)
 
     def _on_brake_chosen(self, duty: int) -> None:
         self._motors.set_release_brake(duty)

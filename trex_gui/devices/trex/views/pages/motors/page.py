@@ -188,7 +188,7 @@ class MotorsPage(QWidget):
     # --- User actions -------------------------------------------------------------------
 
     def _on_speed_requested(self, number: int, speed: int) -> None:
-        holder = _name(number) if self._motors.holder == _name(number) else ""
+        holder = _holder_name(number) if self._motors.holder == _holder_name(number) else ""
         if number == AUXILIARY:
             self._motors.set_auxiliary(speed, holder)
         else:
@@ -201,11 +201,11 @@ class MotorsPage(QWidget):
     def _on_grabbed(self, number: int) -> None:
         self._dragged = number
         if self._options.return_to_zero.isChecked():
-            self._motors.acquire(_name(number))
+            self._motors.acquire(_holder_name(number))
 
     def _on_released(self, number: int) -> None:
         self._holder_timer.start()
-        self._motors.release(_name(number))
+        self._motors.release(_holder_name(number))
         self._show_setpoints()
 
     @Slot(float, float)
@@ -246,7 +246,7 @@ class MotorsPage(QWidget):
     @Slot()
     def _on_holder_changed(self) -> None:
         """Save the holder for `hideEvent`. Controls lose their hold before `hideEvent` runs."""
-        own = {self._pad_drive.name, self._key_drive.name, *map(_name, self._controls)}
+        own = {self._pad_drive.name, self._key_drive.name, *map(_holder_name, self._controls)}
         if self._motors.holder in own:
             self._holder = self._motors.holder
         elif self._holder:
@@ -380,7 +380,7 @@ class MotorsPage(QWidget):
             self._holder = ""
 
 
-def _name(number: int) -> str:
+def _holder_name(number: int) -> str:
     return "auxiliary slider" if number == AUXILIARY else f"motor {number} slider"
 
 

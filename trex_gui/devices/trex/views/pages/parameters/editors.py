@@ -50,7 +50,7 @@ from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, 
 _TOLERANCE = 1.01  # factor by which an entered frequency may lie outside its limits
 _ICON = 16  # pixels
 _SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # icon → colour
-_UNTOUCHED = "untouched"
+_UNTOUCHED = "untouched"  # property of an editor that the user has not changed
 _STEPS = QAbstractSpinBox.StepEnabledFlag
 _BOTH_STEPS = _STEPS.StepUpEnabled | _STEPS.StepDownEnabled
 
@@ -111,7 +111,7 @@ class AccelerationEditor(NumberEditor):
 
 
 class FrequencyEditor(UnitSpinBox):
-    """Editor of a `frequency_code` that selects the nearest PWM frequency."""
+    """Editor for a `frequency_code`. It selects the nearest possible PWM frequency."""
 
     def __init__(self, codes: Sequence[int], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -280,7 +280,7 @@ def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
 class ParameterDelegate(UnitDelegate):
     """Delegate of a `ParameterModel`.
 
-    The editor of a missing value shows the default. Enter or an edit stores this value.
+    The editor of a missing value shows the default. Only Enter or an edit stores a value.
     """
 
     def __init__(
@@ -303,7 +303,7 @@ class ParameterDelegate(UnitDelegate):
         def on_touched() -> None:
             editor.setProperty(_UNTOUCHED, False)
             if not isinstance(editor, UnitSpinBox):
-                self.commitData.emit(editor)  # Enter commits a number
+                self.commitData.emit(editor)  # a number is committed on Enter
 
         editor.valueChanged.connect(on_touched)
         if isinstance(editor, UnitSpinBox):

@@ -58,14 +58,9 @@ class ParameterTable(QWidget):
         self._view.clicked.connect(self._on_current_changed)
         self._card.activate.clicked.connect(self.power_cycle_requested)
         self._search.returnPressed.connect(self._view.setFocus)
-        for changed in (
-            self._search.textChanged,
-            self._choice.currentChanged,
-            linter.changed,
-            self._model.modelReset,
-            self._model.pending_changed,
-            draft.loaded,
-        ):
+        filter_changes = self._search.textChanged, self._choice.currentChanged, linter.changed
+        value_changes = self._model.modelReset, self._model.pending_changed, draft.loaded
+        for changed in (*filter_changes, *value_changes):
             changed.connect(self._update_rows)
         self._update_rows()
 
@@ -90,7 +85,7 @@ class ParameterTable(QWidget):
         self._card.set_can_edit(enabled)
 
     def show_parameter(self, key: str) -> None:
-        """Select a parameter, even if it is filtered out, so that typing edits it."""
+        """Select a parameter for editing, even if it is filtered out."""
         if self._model.index_of(key).isValid():
             self._show_all()
             self._view.setCurrentIndex(self._model.index_of(key))

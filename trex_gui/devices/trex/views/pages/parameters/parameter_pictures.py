@@ -105,7 +105,7 @@ def _stop(
 ) -> Picture:
     """Draw a loss of signal.
 
-    `after` is the time until the motors stop in seconds, by default the value of the parameter.
+    `after` is the time in seconds until the motors stop, by default the value of the parameter.
     """
     value, start = spec.text(wire), 0.3
     seconds = wire * spec.scale if after is None else after

@@ -39,7 +39,7 @@ class ParameterChoice(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class ParameterFilter:
-    words: tuple[str, ...] = ()  # in lower case, searched in names, keys and descriptions
+    words: tuple[str, ...] = ()  # in lower case, searched for in names, keys and descriptions
     shown: ParameterChoice = ParameterChoice.ALL
     finding_keys: frozenset[str] = frozenset()  # keys of parameters with a linter finding
 

@@ -26,7 +26,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.widgets import file_questions
 
 
-class ShownSettings(QObject):
+class SettingsSaver(QObject):
     """Commands that save or export the displayed settings, including edits, in the background."""
 
     saved = Signal(object)  # `Path` of a settings file
@@ -38,14 +38,14 @@ class ShownSettings(QObject):
         self._window = window
         self.saving: set[Path] = set()  # files that are being written
 
-    def prompt_and_save(self, then: Callable[[], object] = lambda: None) -> None:
-        """Prompt for a file and save the settings, then call `then`."""
+    def prompt_and_save(self, on_done: Callable[[], object] = lambda: None) -> None:
+        """Prompt for a file and save the settings, then call `on_done`."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         proposal = file_questions.last_folder() / f"{key}_settings.txt"
         path = file_questions.prompt_to_save(self._window, tr("&Save settings file…"), proposal)
         if path is not None:
-            self.save_file(path, then)
+            self.save_file(path, on_done)
 
     def prompt_and_export(self) -> None:
         settings = self._device.draft.shown
@@ -83,8 +83,8 @@ class ShownSettings(QObject):
 
         in_background(self, work, on_saved, on_failed)
 
-    def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
-        """Save the settings, then call `then`.
+    def save_file(self, path: Path, on_done: Callable[[], object] = lambda: None) -> None:
+        """Save the settings, then call `on_done`.
 
         In an existing file, only the values change. The comments remain, and so do the
         calibrations of the other input source.
@@ -97,7 +97,7 @@ class ShownSettings(QObject):
             self._notifier.error.emit(text.format(path.name))
             return
         self.saving.add(path)
-        save_over = partial(self._save_over, path, settings, then)
+        save_over = partial(self._save_over, path, settings, on_done)
         failed = partial(self._on_not_saved, path)
         in_background(self, partial(_content_of, path), save_over, failed)
 
@@ -105,7 +105,7 @@ class ShownSettings(QObject):
         self,
         path: Path,
         settings: Settings,
-        then: Callable[[], object],
+        on_done: Callable[[], object],
         before: bytes | SettingsError | None,
     ) -> None:
         """Write the settings over `before`.
@@ -126,7 +126,7 @@ class ShownSettings(QObject):
             self.saved.emit(path)
             news = tr("The settings shown were saved in {0}.").format(path)
             self._notifier.info.emit(f"{news} {note}".rstrip())
-            then()
+            on_done()
 
         in_background(self, partial(save, path, text), on_saved, partial(self._on_not_saved, path))
 
