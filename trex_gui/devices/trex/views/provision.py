@@ -261,13 +261,8 @@ class ProvisionFlow(Flow):
         }
         if not (work.turns_motors or self._profile_page.motors.isChecked()):
             del titles[ProvisionStep.MOTORS]
-        show = partial(
-            FlowState,
-            tr("Set up boards in turn"),
-            list(titles.values()),
-            list(titles).index(step),
-            self._page(),
-        )
+        names, index = list(titles.values()), list(titles).index(step)
+        show = partial(FlowState, tr("Set up boards in turn"), names, index, self._page())
         if step is ProvisionStep.PROFILE:
             is_complete = bool(
                 self._profile_page.profile.text() and self._profile_page.record.text()

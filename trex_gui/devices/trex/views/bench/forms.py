@@ -87,13 +87,10 @@ class PlanForm(ui.Card):
         abort = number("benchAbort", lowest=0.1, highest=bench.highest_current, suffix=tr(" A"))
         self._abort = add(tr("Abort &above"), abort)
         abort.setToolTip(ui.plain(tip))
-        self._at_limit = ui.check_box(
-            self,
-            "benchAbortAtLimit",
-            tr("Abort at the board's &limit, too"),
-            tip=tr("Stop when the board reports that its own current limit was exceeded."),
-            on_toggle=self._on_edited,
-        )
+        text = tr("Abort at the board's &limit, too")
+        tip = tr("Stop when the board reports that its own current limit was exceeded.")
+        check_box = partial(ui.check_box, self, on_toggle=self._on_edited)
+        self._at_limit = check_box("benchAbortAtLimit", text, tip=tip)
         form.addRow(self._at_limit)
         _align(form)
         ui.column(form, into=self)
@@ -173,14 +170,9 @@ class TuningForm(ui.Card):
         self._editors = QWidget(self)  # before the button in the Tab order
         self._edited = ui.label(self, "benchEdited", wrap=True)
         set_text_color(self._edited, "dirty")
-        self.apply = ui.button(
-            self,
-            "benchApplyButton",
-            tr("Appl&y…"),
-            icon="apply",
-            tip=tr("Review and write all pending edits, these included"),
-            default=False,
-        )
+        text, tip = tr("Appl&y…"), tr("Review and write all pending edits, these included")
+        button = partial(ui.button, self, icon="apply", default=False)
+        self.apply = button("benchApplyButton", text, tip=tip)
         self._form = _form(self._editors)
         ui.column(self._empty, self._editors, self._edited, 1, self.apply, into=self, spacing=4)
 

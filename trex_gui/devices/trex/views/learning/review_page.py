@@ -49,7 +49,7 @@ class ChannelForm(QWidget):
             self,
             f"learnInclude{number}",
             tr("Use &channel {0}: {1}").format(number, tr(CHANNEL_ROLES[number])),
-            on_click=lambda included: self._set_choice(included=included),
+            on_click=lambda included: self.set_choice(included=included),
         )
         ui.set_bold(self._include)
         self._values = QWidget(self)
@@ -79,7 +79,7 @@ class ChannelForm(QWidget):
             self,
             f"learnReversed{number}",
             tr("&Reversed"),
-            on_click=lambda reversed_: self._set_choice(reversed_=reversed_),
+            on_click=lambda reversed_: self.set_choice(reversed_=reversed_),
         )
         grid.addWidget(self._reversed, len(names), 1)
         grid.addWidget(was_reversed, len(names), 2)
@@ -90,7 +90,7 @@ class ChannelForm(QWidget):
         ui.column(*items, 1, into=self, margins=0, spacing=4)
         units().changed.connect(self.refresh)
 
-    def _set_choice(self, **changes: Any) -> None:
+    def set_choice(self, **changes: Any) -> None:
         self._learning.set_choice(self.channel.number, **changes)
 
     @Slot()
@@ -99,7 +99,7 @@ class ChannelForm(QWidget):
 
     def _on_value_changed(self, field: str, value: int) -> None:
         values = {name: editor.value() for name, editor in self._editors.items()}
-        self._set_choice(calibration=Calibration(**{**values, field: value}))
+        self.set_choice(calibration=Calibration(**{**values, field: value}))
 
     @Slot()
     def refresh(self) -> None:
@@ -172,19 +172,13 @@ class ReviewPage(Page):
 
         self._tabs.currentChanged.connect(self._on_changed)
         self._tabs.setVisible(len(self._forms) > 1)
-        self._plot.edited.connect(
-            lambda calibration: learning.set_choice(
-                self._form.channel.number, calibration=calibration
-            )
-        )
+        self._plot.edited.connect(lambda edited: self._form.set_choice(calibration=edited))
         learning.changed.connect(self._on_changed)
         learning.measured.connect(self._on_measured)
         theme().changed.connect(self._show_signs)
         self._on_changed()
-        problems = (bool(form.channel.result_problems) for form in self._forms)
-        self._tabs.setCurrentIndex(
-            next((i for i, has_problem in enumerate(problems) if has_problem), 0)
-        )
+        problems = (i for i, form in enumerate(self._forms) if form.channel.result_problems)
+        self._tabs.setCurrentIndex(next(problems, 0))
 
     @property
     def _form(self) -> ChannelForm:

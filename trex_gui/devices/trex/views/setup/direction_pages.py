@@ -34,18 +34,12 @@ class SticksPage(Page):
         side = self.side
         text = tr("About two minutes; the motors stay off. The next step needs the directions.")
         button = partial(ui.button, side, default=False)
-        self._learn = button(
-            "setupLearnButton",
-            tr("&Learn channels…"),
-            icon="calibrate",
-            on_click=lambda: learning.start(CHANNELS),
-        )
+        self._learn = button("setupLearnButton", tr("&Learn channels…"), icon="calibrate")
+        self._learn.clicked.connect(lambda: learning.start(CHANNELS))
         self._blocker = ui.named(Note(1, side), "setupLearnBlocker")
         pushed = ui.label(side, text=tr("Already learned? Push, hold and click:"), wrap=True)
-        self._forward = button(
-            "setupForwardButton",
-            on_click=lambda: self._record((2,) if self._has_one_stick else (1, 2)),
-        )
+        self._forward = button("setupForwardButton")
+        self._forward.clicked.connect(lambda: self._record((2,) if self._has_one_stick else (1, 2)))
         text_right = tr("The stick is fully &right now")
         self._right = button("setupRightButton", text_right, on_click=lambda: self._record((1,)))
         self._wiring = Muted(tr("Each is connected to an output of your receiver."), self)
@@ -129,21 +123,13 @@ class WiringPage(Page):
         self._question = ui.label(self, "setupQuestion", bold=True)
         self._robot = RobotView(self, with_buttons=True)
         self._robot.wheel_clicked.connect(self._record)
-        text = tr("Nothing &moved")
-        self._nothing = ui.button(
-            self,
-            "setupNothingMoved",
-            text,
-            checkable=True,
-            default=False,
-            on_click=lambda: self._record(Movement.NOTHING),
-        )
+        button = partial(ui.button, self, default=False)
+        self._nothing = button("setupNothingMoved", tr("Nothing &moved"), checkable=True)
+        self._nothing.clicked.connect(lambda: self._record(Movement.NOTHING))
         middle = Qt.AlignmentFlag.AlignHCenter
         text = tr("Wir&es swapped – test again")
         tip = tr("Clear both answers and test the motors again")
-        self._again = ui.button(
-            self, "setupAgainButton", text, icon="reload", default=False, tip=tip
-        )
+        self._again = button("setupAgainButton", text, icon="reload", tip=tip)
         below = ui.row(1, self._nothing, self._again, 1)
         items = (self._question, 0, middle), (self._robot, 1), below
         ui.column(*items, into=self, margins=0)
