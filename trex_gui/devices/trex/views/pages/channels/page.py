@@ -41,7 +41,7 @@ class ChannelsPage(PlotPage):
         self.setObjectName("channelsPage")
         self._device = device
         self.source = InputSource.RC  # input source of the calibrations on this page
-        self._followed: InputSource | None = None  # active source that was last selected
+        self._followed: InputSource | None = None  # active source at the last automatic selection
         self._serial_controls: bool | None = None  # `board.serial_controls` in the visible texts
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._rejection = ""
