@@ -1,16 +1,16 @@
 r"""Search for an Aracna, without moving any device.
 
 The probe is `\n.q\n` at 38400 8N1. An Aracna reads it as an empty line followed by its only query.
-Neither has a side effect. A TReX at 38400 baud does not find a command in the probe, because its
-bytes follow each other without a pause. (With odd parity, the TReX reads 29 between two framing
-errors.) At another rate it may find the start of a command. Therefore, FF at 1200 baud terminates
-any incomplete packet before and after the probe, as in the search for a TReX. The tests check this
-at every rate of a TReX.
+Neither has a side effect. A TReX at 38400 baud does not find a command in the probe, because the
+bytes of the probe follow each other without a pause. (With odd parity, the TReX reads 29 between
+two framing errors.) At another rate, a TReX may find the start of a command. Therefore, FF at 1200
+baud terminates any incomplete packet before and after the probe, as in the search for a TReX. The
+tests check this at every rate of a TReX.
 
 On a port with a fixed rate, such as a plain network port, FF has no effect, and some boards would
 read the probe as a command. Such a port is probed only if the user has selected an Aracna for it.
 
-Opening a port may reset the board. It then reports `.h` and does not listen for a second.
+Opening a port may reset the board. The board then reports `.h` and does not listen for a second.
 Therefore, the probe is repeated.
 """
 
@@ -39,7 +39,7 @@ from trex_gui.devices.aracna.session.errors import ErrorCode, diagnose
 
 PROBE = commands.EMPTY + commands.QUERY
 
-PROBES = 5  # maximum number of attempts, which take 3.2 s on a local port
+MAX_PROBES = 5  # five probes take 3.2 s on a local port
 _PROBE_INTERVAL = 0.45  # seconds
 _READ_TIMEOUT = 0.02  # seconds
 _SAVED_BYTES = 48  # maximum number of received bytes saved for the diagnosis
@@ -72,7 +72,7 @@ class FoundRobot:
 
 
 class AracnaProber:
-    parts = (PROBES,)
+    parts = (MAX_PROBES,)
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
         """`full` has no effect, because an Aracna has only one line setting."""
@@ -110,10 +110,10 @@ class AracnaProber:
                 "--device aracna --port {1}"
             ).format(self._settings.label, self._settings.url)
             return
-        for done in range(PROBES):
+        for done in range(MAX_PROBES):
             if cancelled():
                 return
-            progress(ScanProgress(done, PROBES, LINE))
+            progress(ScanProgress(done, MAX_PROBES, LINE))
             try:
                 flush(wire, extra)
                 wire.reconfigure(LINE)

@@ -16,7 +16,7 @@ ARACNA = DevicePlugin(
     commands={
         "aracna": CommandInfo(
             Lazy(f"{_PACKAGE}.cli.commands:aracna"),
-            "Query and move an Aracna, and play its sequences.",
+            "Query and move an Aracna, and play sequences.",
         )
     },
     simulator=Lazy(f"{_PACKAGE}.simulator.control:SIMULATOR"),

@@ -42,7 +42,7 @@ Report = (
     | Restarted
     | NotResponding
 )
-"""Reports of the session that are recorded."""
+"""Session reports that are recorded."""
 
 Record = Report | Marker  # times are seconds on the session clock
 
@@ -96,7 +96,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
 
         return tuple(map(column, range(motors)))
 
-    goals = columns("goal", "commanded position, 0 to 1023 (300 degrees)")
+    goals = columns("goal", "commanded position, 0 to 1023 (0 to 300 degrees)")
     present = columns("present", "reported position; NULL without a reply", optional=True)
 
     clears = frozenset({"progress", "speeds"})
@@ -124,7 +124,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
         SampleKind(
             "progress",
             Progress,
-            (Column("answered", "INTEGER", "motors that have replied so far"), *present),
+            (Column("answered", "INTEGER", "number of motors that have replied so far"), *present),
             lambda r: (len(r.present), *_cells(r.present, motors)),
             progress,
             held=True,
@@ -133,7 +133,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
         SampleKind(
             "present",
             Moved,
-            (Column("duration_s", "REAL", "from the command to the reply"), *goals, *present),
+            (Column("duration_s", "REAL", "time from the command to the reply"), *goals, *present),
             lambda r: (r.seconds, *r.goals, *_cells(r.present, motors)),
             moved,
             held=True,
@@ -142,8 +142,10 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
             "speeds",
             SpeedsHeld,
             (
-                *columns("speed", "speed in the servo; NULL without a reply", optional=True),
-                *columns("speed_setpoint", "commanded speed, 0 (highest) to 1023"),
+                *columns(
+                    "speed", "speed reported by the servo; NULL without a reply", optional=True
+                ),
+                *columns("speed_setpoint", "commanded speed, 0 (unlimited) to 1023"),
             ),
             lambda r: (*_cells(r.held, motors), *r.requested),
             lambda time, *values: SpeedsHeld(time, values[motors:], _positions(values[:motors])),
@@ -154,8 +156,8 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
             StepStarted,
             (
                 Column("part", "TEXT", "in, steps or out"),
-                Column("step", "INTEGER", "from 1"),
-                Column("round", "INTEGER", "from 1"),
+                Column("step", "INTEGER", "number of the step, from 1"),
+                Column("round", "INTEGER", "number of the round, from 1"),
                 Column("late_s", "REAL", "delay of the start relative to the schedule"),
             ),
             lambda r: (r.part, r.index + 1, r.round + 1, r.late),
@@ -173,14 +175,18 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
         SampleKind(
             "stuck",
             Stuck,
-            (Column("stuck_motor", "INTEGER", "NULL: the robot does not reply", optional=True),),
+            (
+                Column(
+                    "stuck_motor", "INTEGER", "awaited motor; NULL without a reply", optional=True
+                ),
+            ),
             lambda r: (r.motor,),
             Stuck,
         ),
         SampleKind(
             "restart",
             Restarted,
-            (Column("pending_lost", "INTEGER", "1: a pending command was lost"),),
+            (Column("pending_lost", "INTEGER", "1 if a pending command was lost, otherwise 0"),),
             lambda r: (int(r.voided),),
             lambda time, voided: Restarted(time, bool(voided)),
             clears=clears,

@@ -107,8 +107,8 @@ def test_pose_outside_joint_limits_is_rejected_before_sending(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     result = trexcmd("aracna", "pose", "20", *["551"] * 7, exits=2)
-    assert "motor 0 goes from 50 to 600, not to 20" in result.stderr
-    assert "motor 7 goes from 0 to 550, not to 551" in result.stderr
+    assert "motor 0 must be 50 to 600, not 20" in result.stderr
+    assert "motor 7 must be 0 to 550, not 551" in result.stderr
     assert robot.show()["counters"]["line"]["sent"] == 0
     trexcmd("aracna", "pose", "--no-limits", "--speed", "0", "20", *["551"] * 7)
     assert near(robot, [20] + [551] * 7)
@@ -135,7 +135,7 @@ def test_pose_is_loaded_from_file_by_name_and_clampped_to_the_limits(
     wrong = trexcmd("aracna", "pose", "--pose", "lwo", "--file", file, exits=2)
     assert "Known poses: low, high, far." in wrong.stderr
     result = trexcmd("aracna", "pose", "--pose", "far", "--file", file, "--speed", "0")
-    assert "far: motor 0 is sent to 600, its limit, not to 1000." in result.stderr
+    assert "far: motor 0 moves to its limit 600 instead of 1000." in result.stderr
 
 
 def test_pose_names_blocked_motor_and_exits(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
@@ -159,8 +159,8 @@ def test_ctrl_c_during_pose_warns_that_motion_continues(
     assert virtual_time.run_until(lambda: robot.show()["servos"][7]["moving"], 10)
     command.send_signal(signal.SIGINT)
     out, errors = command.communicate()
-    assert "Nothing on this link stops a running motion" in errors
-    assert "Only servo power stops them" in errors
+    assert "No command stops a running motion" in errors
+    assert "cut the servo power" in errors
     assert len(out.split()) == 8
     assert command.returncode == 0
 
@@ -202,8 +202,8 @@ def test_play_reports_error_of_early_step_at_the_end(
 @pytest.mark.parametrize(
     ("words", "code", "message"),
     [
-        ((), 2, "Which sequence?"),
-        (("--sequence", "x"), 2, "The file has: nod, reach, ghost."),
+        ((), 2, "Select a sequence"),
+        (("--sequence", "x"), 2, "The file contains: nod, reach, ghost."),
         (("--sequence", "ghost"), 1, "nowhere"),
         (("--sequence", "nod", "--scale", "0"), 2, "--scale"),
         (("--sequence", "nod", "--loop", "--rounds", "3"), 2, "not both"),

@@ -64,7 +64,7 @@ def panel(connected_window: RobotWindow) -> DemoRobotPanel:
 
 def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotPanel) -> None:
     assert panel.window.text("aracnaPresent0") == "–", "not reported by the robot yet"
-    panel.wait_for_text("aracnaDemoWhere0", "512")
+    panel.wait_for_text("aracnaDemoPosition0", "512")
     assert "limp" in panel.gauge(0).toolTip()
     panel.wait_for_text("aracnaDemoState", "Idle")
 
@@ -75,7 +75,7 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
     assert panel.robot.state.moving is not None
     assert "moving to 100" in gauge.toolTip()
     panel.wait(lambda: panel.robot.state.moved is not None)
-    panel.wait(lambda: panel.text("aracnaDemoWhere7") == str(panel.robot.state.present[7]))
+    panel.wait(lambda: panel.text("aracnaDemoPosition7") == str(panel.robot.state.present[7]))
     panel.wait(lambda: "holds" in gauge.toolTip())
     panel.wait_for_text("aracnaDemoState", "Idle")
 

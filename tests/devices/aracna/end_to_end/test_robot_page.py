@@ -146,7 +146,7 @@ def test_live_goals_are_sent_until_release_or_stop(connected_window: RobotWindow
 
 def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
-    assert "This link has no stop" in window.text("aracnaHonestLabel")
+    assert "This link has no stop" in window.text("aracnaNoStopLabel")
     window.move()
     steps = (Step((400,) * 8, 0.6, "down"), Step((500,) * 8, 0.6, "up"))
     robot.play(Play(0, steps, rounds=0))

@@ -177,7 +177,7 @@ def test_commands_while_motor_is_stuck_are_never_sent(robot: Robot, harness: Rob
 def test_drag_with_rejected_speed_is_reported_once(robot: Robot, harness: RobotHarness) -> None:
     harness.move(LOW)
     harness.simulator.do("servo 5 dead")
-    robot.speeds, robot.speeds_chosen = (200,) * 8, True
+    robot.speeds, robot.has_user_speeds = (200,) * 8, True
     robot.start_drag()
     for goal in range(300, 340):
         robot.drag((goal,) * 8)

@@ -18,8 +18,8 @@ from trex_gui.devices.aracna.poses.playing import (
     blend_in,
     blend_out,
     estimated_seconds,
-    late_motors,
-    mismatch,
+    motor_count_warning,
+    slow_motors,
     steps_of,
 )
 from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
@@ -79,17 +79,17 @@ def test_blend_out_ends_in_built_in_or_own_stand_pose() -> None:
 def test_late_motors_are_reported_with_needed_time() -> None:
     steps = (Step((0, 500), 1.0), Step((100, 0), 0.1))
     needed = pytest.approx(500 / (UNITS_PER_SECOND * MAX_EFFECTIVE_SPEED))
-    assert late_motors(steps, (0, 500)) == {1: {1: needed}}
+    assert slow_motors(steps, (0, 500)) == {1: {1: needed}}
 
 
 def test_loop_includes_travel_from_last_to_first_step() -> None:
     steps = (Step((1000,), 0.1), Step((0,), 1.0))
-    assert late_motors(steps, (1000,)) == {}
-    assert list(late_motors(steps, (1000,), again=True)) == [0]
+    assert slow_motors(steps, (1000,)) == {}
+    assert list(slow_motors(steps, (1000,), repeated=True)) == [0]
 
 
 def test_motor_at_unknown_position_is_not_late() -> None:
-    assert list(late_motors((Step((1000, 1000), 0.1),), (None, 0))[0]) == [1]
+    assert list(slow_motors((Step((1000, 1000), 0.1),), (None, 0))[0]) == [1]
 
 
 def test_estimate_uses_step_times_or_slowest_motors() -> None:
@@ -105,7 +105,7 @@ def test_estimate_uses_step_times_or_slowest_motors() -> None:
         max_size=5,
     )
 )
-def test_estimate_exceeds_step_times_only_with_late_motors(
+def test_estimate_exceeds_step_times_only_with_slow_motors(
     stages: list[tuple[tuple[int, ...], float]],
 ) -> None:
     steps = tuple(Step(goals, max(seconds, 0.1)) for goals, seconds in stages)
@@ -114,7 +114,7 @@ def test_estimate_exceeds_step_times_only_with_late_motors(
     assert estimate >= total - 1e-9
     assert (estimate > total + 1e-9) == any(
         max(needed.values()) > steps[step].seconds + 1e-9
-        for step, needed in late_motors(steps, (512, 512)).items()
+        for step, needed in slow_motors(steps, (512, 512)).items()
     )
 
 
@@ -127,6 +127,6 @@ def test_estimate_exceeds_step_times_only_with_late_motors(
     ],
 )
 def test_poses_for_other_motor_count_are_reported(positions: int, message: str) -> None:
-    text = mismatch([STAND, Pose("other", (512,) * positions)], 8)
+    text = motor_count_warning([STAND, Pose("other", (512,) * positions)], 8)
     assert message in text
     assert bool(message) is bool(text)

@@ -54,8 +54,8 @@ def test_speed_for_time_matches_authors_formula() -> None:
 def test_clamp_changes_only_values_outside_limits(value: int, one: int, two: int) -> None:
     limits = Limits(min(one, two), max(one, two))
     clamped = limits.clamp(value)
-    assert limits.allow(clamped)
-    assert (clamped == value) == limits.allow(value)
+    assert limits.allows(clamped)
+    assert (clamped == value) == limits.allows(value)
 
 
 @pytest.mark.parametrize(("low", "high"), [(-1, 5), (6, 5), (0, 1024)])

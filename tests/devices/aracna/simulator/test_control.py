@@ -14,12 +14,12 @@ ACCEPTED = [
     ("servo 1 block", "servo 1 blocked"),
     ("servo 1 free", "servo 1 free"),
     ("servo 1 load 0.25", "servo 1 loses 0.25 of its speed"),
-    ("servo 1 lose position", "servo 1 does not reply to the next 1 reads of position"),
+    ("servo 1 lose position", "servo 1 does not reply to the next 1 read of position"),
     ("servo 1 lose speed 3", "servo 1 does not reply to the next 3 reads of speed"),
     ("servo power off", "servo power off"),
     ("servo power on", "servo power on"),
     ("line drop 3 sent", "bytes to lose on the way from the host: 3"),
-    ("line cut 4", "after 4 bytes the rest of a line is lost"),
+    ("line cut 4", "the rest of a line is lost after 4 bytes"),
     ("line cut off", "no reply is cut"),
 ]
 
@@ -69,7 +69,8 @@ def test_invalid_control_line_is_explained_and_ignored(harness: AracnaHarness) -
 
 def test_unpowered_board_rejects_reset(harness: AracnaHarness) -> None:
     harness.do("power off")
-    assert control(harness.line, "reset") == "error the board has no power; power on starts it"
+    reply = control(harness.line, "reset")
+    assert reply == "error the board has no power; switch the power on first"
 
 
 def test_show_reports_led_and_servo_states(harness: AracnaHarness) -> None:

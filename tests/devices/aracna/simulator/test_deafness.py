@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.aracna import AracnaHarness
 from trex_gui.devices.aracna.simulator.firmware import State
-from trex_gui.devices.aracna.simulator.line import OWN, STORED_BYTES
+from trex_gui.devices.aracna.simulator.line import LINE, STORED_BYTES
 
 VERSION = b".q1,8\r\n"
 SPEEDS = b".v100,100,100,100,100,100,100,100\n"
@@ -105,7 +105,7 @@ def test_command_is_received_during_last_two_bytes_of_reply(
 def test_command_is_truncated_during_parsing_of_previous_command(
     harness: AracnaHarness, lines: bytes, replies: bytes
 ) -> None:
-    harness.transport.reconfigure(OWN)
+    harness.transport.reconfigure(LINE)
     harness.line.send(lines)
     harness.line.advance(0.02)
     assert harness.line.receive() == replies

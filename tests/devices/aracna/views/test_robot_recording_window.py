@@ -86,10 +86,10 @@ def test_window_shows_recording_and_state_at_selected_time(window: RecordingWind
     assert heading.endswith("0:01:00 long")
     assert window.window.windowTitle().startswith("walk.trexrec")
     assert not window.is_enabled("aracnaPlaybackStopButton"), "no robot is connected"
-    assert window.text("aracnaRecordedDoing").startswith("Nothing is sent.")
+    assert window.text("aracnaRecordedActivity").startswith("Nothing is sent.")
     assert window.value(0, "Present") == "–"
     window.playback.set_position(T0 + 11.5)
-    assert window.text("aracnaRecordedDoing") == "The motion ends by itself in about 0.5 s."
+    assert window.text("aracnaRecordedActivity") == "The motion ends by itself in about 0.5 s."
     assert window.value(3, "Difference") == "moving …"
     assert window.value(2, "Present") == "200 = 58.7°"
     assert window.value(3, "Present") == "–"
@@ -108,7 +108,7 @@ def test_window_shows_recording_and_state_at_selected_time(window: RecordingWind
     assert window.value(0, "Speed") == "100 = 67 °/s"
     assert window.value(1, "Speed") == "unlimited"
     assert window.value(7, "Speed") == "no reply (−1)"
-    assert window.text("aracnaRecordedDoing") == "At rest: nothing is sent."
+    assert window.text("aracnaRecordedActivity") == "At rest: nothing is sent."
     assert window.plot.cursor_time == window.playback.position
 
 

@@ -1,4 +1,4 @@
-"""Commands query, led, speeds, pose and play."""
+"""Commands `query`, `led`, `speeds`, `pose` and `play`."""
 
 from pathlib import Path
 
@@ -22,7 +22,7 @@ from trex_gui.core.plugin import Lazy
 from trex_gui.core.texts import counted
 from trex_gui.devices.aracna.cli.session import CommandSession, port_settings
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES
-from trex_gui.devices.aracna.poses.playing import blend_in, clamped, mismatch, steps_of
+from trex_gui.devices.aracna.poses.playing import blend_in, clamped, motor_count_warning, steps_of
 from trex_gui.devices.aracna.poses.ppr import read_file
 from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
@@ -46,8 +46,8 @@ _no_limits_option = click.option(
 def aracna() -> None:
     """Query and move an Aracna, the robot with eight motors.
 
-    Its line is always set to 38400 baud. Nothing on this link stops a running motion or
-    switches the motors off. To stop the motors, cut the servo power.
+    The serial line is always set to 38400 baud. No command stops a running motion or switches
+    the motors off. To stop the motors, cut the servo power.
     """
 
 
@@ -69,7 +69,7 @@ def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
 @_line_options
 @click.argument("state", type=click.Choice(["on", "off"]))
 def led(state: str, port: str | None, extra_timeout: float) -> None:
-    """Switch the debug LED of the board, to identify the robot. Never moves a motor.
+    """Switch the board's debug LED, for example to identify the robot. Never moves a motor.
 
     The LED is off after each start of the board. The command prints the reported state.
     """
@@ -81,10 +81,11 @@ def led(state: str, port: str | None, extra_timeout: float) -> None:
 @_line_options
 @click.argument("values", metavar="SPEED...", nargs=-1, required=True, type=_POSITION)
 def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> None:
-    """Set the speed of every motor: one value for all motors, or one for each.
+    """Set the speed of every motor.
 
-    A unit is 0.67 degrees per second, and 0 is unlimited. The command prints the speeds that the
-    servos report. The servos keep these speeds until they lose power.
+    Give one value for all motors, or one value for each motor. A unit is 0.67 degrees per second,
+    and 0 is unlimited. The command prints the speeds that the servos report. The servos keep these
+    speeds until they lose power.
     """
     with CommandSession(port_settings(port, extra_timeout)) as session:
         motors = session.robot.motors
@@ -97,15 +98,14 @@ def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> N
 @aracna.command()
 @_line_options
 @click.argument("values", metavar="[POSITION...]", nargs=-1, type=_POSITION)
-@click.option("--pose", "name", metavar="NAME", help="Pose from --file, or a built-in pose.")
-@click.option("--file", type=FileName(), metavar="FILE", help="Pose file (.ppr) with the pose.")
+@click.option("--pose", "name", metavar="NAME", help="Name of a pose: built in, or from --file.")
+@click.option("--file", type=FileName(), metavar="FILE", help="Pose file (.ppr) for --pose.")
 @click.option(
     "--speed",
     type=_POSITION,
     default=100,
     show_default=True,
-    help="Speed of every motor, 0 to 1023. 0 is unlimited. It is set before the move, because "
-    "positions are unknown before the first move.",
+    help="Speed of every motor, 0 to 1023 (0: unlimited). The speed is set before the move.",
 )
 @_no_limits_option
 def pose(
@@ -118,10 +118,11 @@ def pose(
     extra_timeout: float,
     no_limits: bool,
 ) -> None:
-    """Move every motor to a position, 0 to 1023 (512 is the centre), and wait.
+    """Move every motor to a position, 0 to 1023 (512 is the centre).
 
     Give one position for each motor, or the name of a pose. Positions outside the joints' limits
-    are rejected, but positions of a pose are clamped. The command prints the final positions.
+    are rejected, but positions of a pose are clamped. The command waits until the motion ends, then
+    prints the final positions.
     """
     if bool(values) == (name is not None):
         raise click.UsageError("Give either one position for each motor, or --pose NAME.")
@@ -147,16 +148,18 @@ def pose(
 @_line_options
 @click.argument("file", type=FileName())
 @click.option(
-    "--sequence", "name", metavar="NAME", help="Sequence to play, if the file has several."
+    "--sequence", "name", metavar="NAME", help="Sequence to play, if the file has more than one."
 )
-@click.option("--rounds", type=click.IntRange(1), show_default="1")
-@click.option("--loop", is_flag=True, help="Play until Ctrl-C.")
+@click.option(
+    "--rounds", type=click.IntRange(1), show_default="1", help="Number of rounds to play."
+)
+@click.option("--loop", is_flag=True, help="Repeat the sequence until Ctrl-C.")
 @click.option(
     "--scale",
     type=FiniteRange(0.05, 20),
     default=1.0,
     metavar="F",
-    help="Factor on the times of all steps: 2 is half as fast.",
+    help="Factor by which the duration of each step is multiplied: 2 halves the speed.",
 )
 @_no_limits_option
 def play(
@@ -170,10 +173,10 @@ def play(
     extra_timeout: float,
     no_limits: bool,
 ) -> None:
-    """Play a sequence of a pose file (.ppr), after a slow move to its start.
+    """Play a sequence from a pose file (.ppr), after a slow move to its first pose.
 
     Positions outside the joints' limits are clamped and reported. After Ctrl-C, nothing more is
-    sent, and the running step continues to its end.
+    sent, but the running step continues to its end.
     """
     if loop and rounds is not None:
         raise click.UsageError("Give either --rounds or --loop, not both.")
@@ -206,18 +209,20 @@ def _joined(values: tuple[int, ...]) -> str:
 def _check_count(values: tuple[int, ...], motors: int, quantity: str) -> None:
     if len(values) != motors:
         raise click.UsageError(
-            f"The robot has {motors} motors, which need {motors} {quantity}, not {len(values)}."
+            f"The robot has {motors} motors. Give {motors} {quantity}, not {len(values)}."
         )
 
 
 def _check_limits(goals: tuple[int, ...]) -> None:
     violations = [
-        f"motor {motor} goes from {limit.low} to {limit.high}, not to {goal}"
+        f"motor {motor} must be {limit.low} to {limit.high}, not {goal}"
         for motor, (goal, limit) in enumerate(zip(goals, factory_limits(len(goals)), strict=True))
-        if not limit.allow(goal)
+        if not limit.allows(goal)
     ]
     if violations:
-        raise click.UsageError(f"Joint limits: {'; '.join(violations)}. --no-limits lifts them.")
+        raise click.UsageError(
+            f"Outside the joint limits: {'; '.join(violations)}. Add --no-limits to allow this."
+        )
 
 
 def _read_project(file: str) -> Project:
@@ -240,13 +245,15 @@ def _pose_named(name: str, file: str | None) -> Pose:
 def _sequence_named(project: Project, name: str | None) -> Sequence:
     names = ", ".join(sequence.name for sequence in project.sequences)
     if not project.sequences:
-        raise CommandFailed("The file has no sequence.")
+        raise CommandFailed("The file contains no sequences.")
     if name is None:
         if len(project.sequences) > 1:
-            raise click.UsageError(f"Which sequence? Give --sequence. The file has: {names}.")
+            raise click.UsageError(
+                f"Select a sequence with --sequence. The file contains: {names}."
+            )
         return project.sequences[0]
     if (sequence := project.sequence(name)) is None:
-        raise click.UsageError(f"There is no sequence {name!r}. The file has: {names}.")
+        raise click.UsageError(f"There is no sequence {name!r}. The file contains: {names}.")
     return sequence
 
 
@@ -256,9 +263,9 @@ def _limits(motors: int, *, lifted: bool) -> tuple[Limits, ...]:
 
 def _report_clamps(pose: Pose, limits: tuple[Limits, ...]) -> tuple[int, ...]:
     goals = clamped(pose, limits)
-    if problem := mismatch([pose], len(limits)):
-        say(f"{pose.name}: {problem}")
+    if warning := motor_count_warning([pose], len(limits)):
+        say(f"{pose.name}: {warning}")
     for motor, (position, goal) in enumerate(zip(pose.for_motors(len(limits)), goals, strict=True)):
         if position != goal:
-            say(f"{pose.name}: motor {motor} is sent to {goal}, its limit, not to {position}.")
+            say(f"{pose.name}: motor {motor} moves to its limit {goal} instead of {position}.")
     return goals

@@ -41,8 +41,9 @@ from trex_gui.devices.aracna.session.messages import (
 from trex_gui.devices.aracna.session.session import AracnaSession
 
 NO_STOP = (
-    "Nothing on this link stops a running motion: the motors continue to their goals, "
-    "{0:.1f} s at most. Only servo power stops them. Ctrl-C again exits without waiting."
+    "No command stops a running motion: the motors continue to their goals, for at most "
+    "{0:.1f} s. To stop the motors now, cut the servo power. To exit without waiting, press "
+    "Ctrl-C again."
 )
 
 _CHECK_INTERVAL = 0.1  # seconds between checks for an interruption
@@ -55,8 +56,8 @@ def port_settings(port: str | None, extra_time: float) -> PortSettings:
 class CommandSession:
     """Session with a connected robot. Prints the progress of motions.
 
-    Its methods raise CommandFailed if the line is lost, or if the robot waits for a motor or
-    rejects the request.
+    Methods raise CommandFailed if the line is lost, the robot waits for a motor, or the request is
+    rejected.
     """
 
     robot: Connected
@@ -68,7 +69,7 @@ class CommandSession:
         *,
         report_motors: bool = True,
     ) -> None:
-        """`report_motors`: print the final position of each motor instead of each step."""
+        """`report_motors`: True to print the position of each motor, False to print each step."""
         self._host = host()
         self._inbox = RequestQueue(self._host.condition())
         self._reports = RequestQueue(self._host.condition())
@@ -79,8 +80,8 @@ class CommandSession:
         self._is_connected = False
         self._interrupted = interrupted
         self._report_motors = report_motors
-        self._reported = 0
-        self._expected = 0.0
+        self._reported_motors = 0
+        self._expected_seconds = 0.0
         self._is_moving = False
         self.halted = False
         self.moved: Moved | None = None
@@ -121,7 +122,7 @@ class CommandSession:
         for fault in self.faults:
             say(fault)
         if self.faults:
-            raise CommandFailed("Some motors did not do what was commanded.")
+            raise CommandFailed("Some motors did not execute the command.")
 
     def _result(self, request: SetSpeeds | SetLed | Move | Play) -> object:
         self._inbox.put(request)
@@ -137,7 +138,7 @@ class CommandSession:
 
     def _received(self) -> Iterator[Report]:
         while True:
-            self._check()
+            self._check_interruption()
             report = self._reports.get(_CHECK_INTERVAL)
             if report is None:
                 continue
@@ -161,20 +162,20 @@ class CommandSession:
             if not self._is_moving:
                 break
 
-    def _check(self) -> None:
+    def _check_interruption(self) -> None:
         if not self._interrupted or self.halted:
             return
         if not self._is_connected:
             raise CommandFailed("Cancelled before anything was sent.")
         self.halted = True
         self._inbox.put(Halt())
-        state = NO_STOP.format(self._expected) if self._is_moving else "Nothing is moving."
+        state = NO_STOP.format(self._expected_seconds) if self._is_moving else "Nothing is moving."
         say(f"Nothing more is sent. {state}")
 
     def _handle(self, report: Report) -> None:
         match report:
             case Moving(expected=expected):
-                self._reported, self._is_moving, self._expected = 0, True, expected
+                self._reported_motors, self._is_moving, self._expected_seconds = 0, True, expected
                 if self.halted:  # the motion was sent before the halt
                     say(NO_STOP.format(expected))
             case Progress(present=present) if self._report_motors:
@@ -190,10 +191,10 @@ class CommandSession:
                 say(f"{title}{f', {late:.2f} s late' if late >= 0.05 else ''}")
 
     def _say_positions(self, present: Sequence[int]) -> None:
-        for motor in range(self._reported, len(present)):
+        for motor in range(self._reported_motors, len(present)):
             position = present[motor]
             say(f"motor {motor}: {position if position >= 0 else 'could not be read (-1)'}")
-        self._reported = len(present)
+        self._reported_motors = len(present)
 
 
 def _raise_fault(report: Report) -> None:
@@ -205,8 +206,8 @@ def _raise_fault(report: Report) -> None:
         case Stuck(motor=motor):
             error = RobotError(ErrorCode.MOTOR_STUCK, motor)
             raise CommandFailed(
-                f"{error} It is blocked, has no power or does not respond, or the board itself has "
-                "no power. Only servo power stops the motors."
+                f"{error} The motor is blocked, has no power or does not respond, or the board has "
+                "no power. To stop the other motors, cut the servo power."
             )
         case NotResponding(error=error):
             raise CommandFailed(error)

@@ -14,7 +14,7 @@ from trex_gui.ui.notifier import Notifier
 
 
 class AracnaController(DeviceController[PortSettings]):
-    """Controller whose stop sends nothing more. A running motion ends by itself."""
+    """Controller of an Aracna. After a stop, nothing more is sent, but a motion continues."""
 
     def __init__(
         self,

@@ -58,13 +58,15 @@ class RobotSnapshot:
         )
 
     @property
-    def is_held_up(self) -> bool:
+    def is_stuck(self) -> bool:
         """True if the firmware waits only for servos that cannot move."""
-        waits = any(servo.dead or (servo.moving and servo.cannot_move) for servo in self.servos)
+        is_waiting = any(
+            servo.dead or (servo.moving and servo.cannot_move) for servo in self.servos
+        )
         return (
             self.state is FirmwareState.MOVING
             and not self.is_moving
-            and (waits or not self.servo_power)
+            and (is_waiting or not self.servo_power)
         )
 
 

@@ -64,7 +64,7 @@ class AracnaRecorder(RecordThread[Record]):
 
     @Slot()
     def stop(self) -> None:
-        """End the recording with a marker, so that it has its full length."""
+        """End the recording. A marker at the end preserves its full length."""
         self.put(marker(now(), EventKind.NOTE.value, tr("The recording ends here.")))
         super().stop()
 

@@ -70,11 +70,11 @@ class Robot(DeviceConnection[PortSettings]):
         self.limits = JointLimits(self)
         self.targets = Targets(self.limits, self)
         self.speeds = (FIRST_SPEED,) * MOTORS  # for the next motion
-        self.speeds_chosen = False  # True if the user has set `speeds`
+        self.has_user_speeds = False  # True if the user has set `speeds`
         self.events = EventLog(self)
         self._pending_moves = 0
         self._pending_speeds = 0
-        self._is_holding = False  # True if targets follow the present positions after a halt
+        self._follows_present = False  # True if targets follow the present positions, after a halt
 
         self.line_closed.connect(self._on_line_closed)
         self.failed.connect(self._on_failed)
@@ -108,8 +108,8 @@ class Robot(DeviceConnection[PortSettings]):
     def _reset(self, motors: int) -> None:
         """Reset to an unknown robot. Retain the end time of a running motion."""
         self.state = RobotState(motors, unobserved_until=self.state.moving_until)
-        self.dragging = self._is_holding = False
-        self.speeds, self.speeds_chosen = (FIRST_SPEED,) * motors, False
+        self.dragging = self._follows_present = False
+        self.speeds, self.has_user_speeds = (FIRST_SPEED,) * motors, False
         self.targets.set_count(motors)
         self.changed.emit()
 
@@ -137,7 +137,7 @@ class Robot(DeviceConnection[PortSettings]):
                 self.dragging = False
             case Moving(goals=goals) if self.state.play is not None:
                 self.targets.set_all(goals)
-            case Moved() if self._is_holding:
+            case Moved() if self._follows_present:
                 self.aim_at_present()
         if self.link is not ConnectionState.DISCONNECTING:
             self._update_link(report)
@@ -175,7 +175,7 @@ class Robot(DeviceConnection[PortSettings]):
         return self._request_move(clamped, dragged=False)
 
     def _request_move(self, goals: tuple[int, ...], *, dragged: bool) -> bool:
-        speeds, self._is_holding = self.speeds, False
+        speeds, self._follows_present = self.speeds, False
         is_sent = self.request(
             lambda number: Move(number, goals, speeds, dragged), self._on_move_done
         )
@@ -201,7 +201,7 @@ class Robot(DeviceConnection[PortSettings]):
     def set_speeds(self, speeds: Sequence[int]) -> None:
         """Set speeds, 0-1023 (0: unlimited). During a sequence, they apply to the next move."""
         values = tuple(speeds)
-        self.speeds, self.speeds_chosen = values, True
+        self.speeds, self.has_user_speeds = values, True
         if (
             self.link is ConnectionState.CONNECTED
             and self.state.play is None
@@ -225,7 +225,7 @@ class Robot(DeviceConnection[PortSettings]):
             self._inform(tr("Clamped to the limits of the joints: %n step(s).", "", clamped))
         if None in self.state.present:
             play = self._with_slow_start(play)
-        self._is_holding = False
+        self._follows_present = False
         if not self.request(lambda number: replace(play, id=number), self._on_play_done):
             return False
         steps, rounds = len(play.steps), play.rounds
@@ -258,12 +258,12 @@ class Robot(DeviceConnection[PortSettings]):
             return
         is_active = self.state.moving is not None or self.state.play is not None
         self.submit(Halt())
-        self._is_holding = is_active or self.dragging or self._pending_moves > 0
+        self._follows_present = is_active or self.dragging or self._pending_moves > 0
         self.dragging = False
-        ending = ending_text(remaining) if (remaining := self.remaining()) > 0 else ""
+        ending = ending_text(self.remaining())
         self.events.add(EventKind.STOP, f"{tr('Nothing more is sent.')} {ending}".rstrip())
         self.halted.emit()
-        if self._is_holding:
+        if self._follows_present:
             self.aim_at_present()
         self.changed.emit()
 
@@ -279,7 +279,7 @@ class Robot(DeviceConnection[PortSettings]):
 
         Return an empty text if no robot is connected and no earlier motion may be running.
         """
-        ending = ending_text(remaining) if (remaining := self.remaining()) > 0 else ""
+        ending = ending_text(self.remaining())
         if self.link is ConnectionState.DISCONNECTED:
             return f"{reason}. {tr('No robot is connected.')} {ending}" if ending else ""
         if not ending and not self.is_at_rest:
@@ -338,13 +338,13 @@ class Robot(DeviceConnection[PortSettings]):
     def _on_move_done(self, outcome: Outcome) -> None:
         self._pending_moves -= 1
         is_newest = not self._pending_moves
-        if outcome.error is not None and is_newest and not self._is_holding:
+        if outcome.error is not None and is_newest and not self._follows_present:
             self.dragging = False  # so that only one error is reported
             self._reject_because(tr("Not moved: {0}"), outcome.error)
         self.changed.emit()
 
     def _on_play_done(self, outcome: Outcome) -> None:
         self.state.play = self.state.step = None
-        if outcome.error is not None and not self._is_holding:
+        if outcome.error is not None and not self._follows_present:
             self._reject_because(tr("Aborted: {0}"), outcome.error)
         self.changed.emit()

@@ -67,8 +67,8 @@ class RobotState:
                 self.uncertain, self.step = self.goals is not None, None
             case Connected(version=version):
                 self.version = version
-                # A robot that replies to `.q` does not wait for a motor. Servos may still be
-                # moving, because a reset by opening the port does not stop them.
+                # A robot that replies to `.q` is not waiting for a motor. Servos may still be
+                # moving, because the reset on opening the port does not stop them.
                 self._stop_observing()
             case StepStarted():
                 self.step = report

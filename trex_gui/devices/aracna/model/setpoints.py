@@ -33,7 +33,7 @@ class JointLimits(QObject):
         return self._all == factory_limits(len(self._all))
 
     def set(self, motor: int, low: int, high: int) -> None:
-        """Set the limits of a joint. Raises BadRequest."""
+        """Set the limits of a joint. Raises BadRequest for invalid limits."""
         limits = Limits(low, high)
         if motor >= len(self._all):
             self._all += factory_limits(motor + 1)[len(self._all) :]
@@ -64,7 +64,7 @@ class JointLimits(QObject):
 
 
 class Targets(QObject):
-    """Goals of the sliders, clamped to the limits. They need not have been sent."""
+    """Goals set with the sliders, clamped to the limits. They may still be unsent."""
 
     changed = Signal()
 

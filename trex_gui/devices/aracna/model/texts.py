@@ -102,7 +102,9 @@ def activity_text(state: RobotState, remaining: float) -> tuple[str, bool]:
 
 
 def ending_text(remaining: float) -> str:
-    return tr("The motion ends by itself in about {0:.1f} s.").format(Number(remaining))
+    """Return the remaining time of a motion, or an empty text for 0."""
+    text = tr("The motion ends by itself in about {0:.1f} s.")
+    return text.format(Number(remaining)) if remaining > 0 else ""
 
 
 def _playing_text(state: RobotState) -> str:

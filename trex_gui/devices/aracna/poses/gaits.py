@@ -7,8 +7,8 @@ Ref: CreativeMachinesLab/aracna:
 - `RobotPi/commonGaits.py`: gaits. A gait is a loop of poses with durations, linearly interpolated.
 - `RobotPi/RobotPi.py`: 3 s to flat, then 3 s to stand.
 
-Gaits marked `ours` use the authors' poses, but are not by the authors. All poses are clamped to the
-limits that were tuned on the robot. The authors' programs also clamp goals.
+Gaits marked `ours` use the authors' poses, but were not made by the authors. All poses are clamped
+to the limits that were tuned on the robot. The authors' programs also clamp goals.
 """
 
 import math
@@ -55,7 +55,7 @@ class Gait(Sequence):
     poses: tuple[Pose, ...] = ()
     about: str = ""
     cyclic: bool = True  # True if the first step starts in the last pose
-    ours: bool = False  # True if not by the robot's authors
+    ours: bool = False  # True if not made by the robot's authors
 
 
 def _gait(

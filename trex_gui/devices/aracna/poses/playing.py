@@ -15,7 +15,7 @@ COMMAND_SECONDS = 0.1  # shortest step; without motion, `.v` takes 42-55 ms and 
 
 
 def steps_of(
-    played: Sequence, poses: Iterable[Pose], limits: Many[Limits], time_scale: float = 1.0
+    sequence: Sequence, poses: Iterable[Pose], limits: Many[Limits], time_scale: float = 1.0
 ) -> tuple[Step, ...]:
     """Return the steps of a sequence or gait, clamped to each motor's limits.
 
@@ -23,11 +23,11 @@ def steps_of(
     """
     return tuple(
         Step(clamped(pose, limits), seconds * time_scale, pose.name)
-        for pose, seconds in stages_of(played, poses)
+        for pose, seconds in stages_of(sequence, poses)
     )
 
 
-def mismatch(poses: Iterable[Pose], motors: int) -> str:
+def motor_count_warning(poses: Iterable[Pose], motors: int) -> str:
     """Return a warning if poses are for another number of motors, otherwise an empty text."""
     counts = {len(pose.positions) for pose in poses} - {motors}
     if not counts:
@@ -45,45 +45,45 @@ def clamped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
 
 
 def blend_in(
-    played: Sequence, poses: Iterable[Pose], limits: Many[Limits], present: Present = ()
+    sequence: Sequence, poses: Iterable[Pose], limits: Many[Limits], present: Present = ()
 ) -> tuple[Step, ...]:
-    """Return the slow step to the start. Empty if it is not necessary.
+    """Return the slow step to the start, or no step if none is necessary.
 
     A cyclic gait starts in its last pose, and a sequence in its first pose. Raises BadRequest like
     `steps_of`.
     """
     index = 0
-    if isinstance(played, Gait):
-        if not played.cyclic:
+    if isinstance(sequence, Gait):
+        if not sequence.cyclic:
             return ()
         index = -1
-    start, _ = stages_of(played, poses)[index]
+    start, _ = stages_of(sequence, poses)[index]
     goals = clamped(start, limits)
     return () if tuple(present) == goals else (Step(goals, SLOW_SECONDS, start.name),)
 
 
 def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, ...]:
-    """Return the slow step to the pose `stand`. The default is the built-in pose."""
+    """Return the slow step to the pose `stand` in `poses`, or to the built-in pose."""
     stand = next((pose for pose in poses if pose.name == STAND.name), STAND)
     return (Step(clamped(stand, limits), SLOW_SECONDS, stand.name),)
 
 
-def late_motors(
-    steps: Many[Step], start: Present = (), *, again: bool = False
+def slow_motors(
+    steps: Many[Step], start: Present = (), *, repeated: bool = False
 ) -> dict[int, dict[int, float]]:
-    """Return the time that slow motors need: step index → motor → seconds.
+    """Return the time that motors need if a step is too short: step index → motor → seconds.
 
-    A motor at an unknown position does not count as slow. `again`: the steps repeat.
+    A motor at an unknown position does not count as slow. `repeated`: True if the steps repeat.
     """
-    late = [_late_in(step, before) for before, step in _with_starts(steps, start)]
-    if again:
-        late[0] |= _late_in(steps[0], steps[-1].goals)
-    return {number: motors for number, motors in enumerate(late) if motors}
+    slow = [_slow_in(step, before) for before, step in _with_starts(steps, start)]
+    if repeated:
+        slow[0] |= _slow_in(steps[0], steps[-1].goals)
+    return {number: motors for number, motors in enumerate(slow) if motors}
 
 
 def estimated_seconds(steps: Many[Step], start: Present = ()) -> float:
     return sum(
-        max(step.seconds, COMMAND_SECONDS, *_late_in(step, before).values())
+        max(step.seconds, COMMAND_SECONDS, *_slow_in(step, before).values())
         for before, step in _with_starts(steps, start)
     )
 
@@ -92,21 +92,22 @@ def _with_starts(steps: Many[Step], start: Present) -> Iterable[tuple[Present, S
     return zip((start, *(step.goals for step in steps)), steps, strict=False)
 
 
-def _late_in(step: Step, before: Present) -> dict[int, float]:
-    late = {}
+def _slow_in(step: Step, before: Present) -> dict[int, float]:
+    slow = {}
     for motor, (start, goal) in enumerate(zip(before, step.goals, strict=False)):
         needed = 0.0 if start is None else travel_seconds(goal - start, 0)
         if needed > step.seconds:
-            late[motor] = needed
-    return late
+            slow[motor] = needed
+    return slow
 
 
-def stages_of(played: Sequence, poses: Iterable[Pose]) -> list[tuple[Pose, float]]:
-    known = {pose.name: pose for pose in (played.poses if isinstance(played, Gait) else poses)}
-    if missing := played.missing_poses(known):
+def stages_of(sequence: Sequence, poses: Iterable[Pose]) -> list[tuple[Pose, float]]:
+    """Return each step's pose and seconds. Raises BadRequest like `steps_of`."""
+    known = {pose.name: pose for pose in (sequence.poses if isinstance(sequence, Gait) else poses)}
+    if missing := sequence.missing_poses(known):
         raise BadRequest(
-            tr("{0} uses poses that are not defined: {1}").format(played.name, ", ".join(missing))
+            tr("{0} uses poses that are not defined: {1}").format(sequence.name, ", ".join(missing))
         )
-    if not played.steps:
-        raise BadRequest(tr("{0} has no steps").format(played.name))
-    return [(known[step.pose_name], step.milliseconds / 1000) for step in played.steps]
+    if not sequence.steps:
+        raise BadRequest(tr("{0} has no steps").format(sequence.name))
+    return [(known[step.pose_name], step.milliseconds / 1000) for step in sequence.steps]

@@ -8,10 +8,10 @@
 Ref: CreativeMachinesLab/aracna `RaspberryPypose/project.py`. In PyPose, the last of two items with
 the same name wins, missing positions become 512, wrong resolutions become 1024, and a line without
 a prefix is a pose from an older version. PyPose strips the names in steps, so it does not find a
-pose with blanks around its name. Here, blanks around a name are ignored.
+pose with blanks around its name. This module ignores blanks around a name.
 
-`Nuke` lines are for code that PyPose generated for legged robots. They and unreadable lines are
-written back unchanged.
+`Nuke` lines are for code that PyPose generated for legged robots. These lines and unreadable lines
+are written back unchanged.
 """
 
 import re

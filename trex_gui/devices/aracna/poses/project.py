@@ -25,7 +25,9 @@ class Pose:
     positions: tuple[int, ...]
 
     def __post_init__(self) -> None:
-        if not _is_name(self.name) or not all(0 <= value <= HIGHEST for value in self.positions):
+        if not _is_valid_name(self.name) or not all(
+            0 <= value <= HIGHEST for value in self.positions
+        ):
             raise BadRequest(f"invalid pose: {self!r}")
 
     def for_motors(self, motors: int) -> tuple[int, ...]:
@@ -36,7 +38,7 @@ class Pose:
 
 @dataclass(frozen=True, slots=True)
 class SequenceStep:
-    """Name of a pose, and the time to reach it (up to an hour). Raises BadRequest."""
+    """Name of a pose, and the time to reach it. Raises BadRequest for an invalid value."""
 
     pose_name: str
     milliseconds: int = DEFAULT_MS
@@ -55,7 +57,7 @@ class Sequence:
     steps: tuple[SequenceStep, ...] = ()
 
     def __post_init__(self) -> None:
-        if not _is_name(self.name):
+        if not _is_valid_name(self.name):
             raise BadRequest(f"invalid sequence: {self!r}")
 
     def missing_poses(self, known: Collection[str]) -> tuple[str, ...]:
@@ -93,11 +95,11 @@ class Project:
 
 
 def is_usable_in_step(pose_name: str) -> bool:
-    """Return True if a step can contain this name. A comma or a bar would end the name."""
+    """Return True if a step can use this pose. A comma or a bar would end its name."""
     return not any(sign in pose_name for sign in ",|\r\n")
 
 
-def _is_name(name: str) -> bool:
+def _is_valid_name(name: str) -> bool:
     return not any(sign in name for sign in ":\r\n")
 
 

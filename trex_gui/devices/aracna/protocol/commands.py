@@ -1,4 +1,4 @@
-"""Command lines to the robot.
+"""Command lines that are sent to the robot.
 
 Speeds and positions are sent as one value of one to four digits per motor. The firmware does not
 reject invalid lines. Too few values restart it, an empty field counts as 10, and letters count as
@@ -12,8 +12,8 @@ from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.aracna.protocol.joints import HIGHEST
 
 BAUD = 38_400  # 38400 8N1, without flow control
-QUERY = b".q\n"  # the chip stores its three bytes while the firmware is busy
-EMPTY = b"\n"  # has no effect alone; ends an incomplete line, which the firmware then handles
+QUERY = b".q\n"  # the chip can store these three bytes while the firmware is busy
+EMPTY = b"\n"  # ends an incomplete line, which the firmware then handles; otherwise no effect
 
 
 def led(*, on: bool) -> bytes:

@@ -1,4 +1,4 @@
-"""Eight joints: their places on the robot, their limits, and the servos' units.
+"""Places of the eight joints on the robot, joint limits, and units of the servos.
 
 Ref: CreativeMachinesLab/aracna `RobotPi/RobotPi.py` (even motors are inner joints),
 `RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (places of the legs,
@@ -26,7 +26,7 @@ The published CAD model of the robot has AX-18A servos. An AX-12A reaches 59 rpm
 530."""
 
 LEGS = tr_noop("Front left"), tr_noop("Front right"), tr_noop("Back right"), tr_noop("Back left")
-"""Leg of each pair of motors (inner and outer joint), seen from above with the front up.
+"""Names of the legs, each with two motors (inner and outer joint), in motor order.
 
 Assumed: motors 0-3 are at the front, 4-7 at the back, 2-5 on the right, and 6, 7, 0 and 1 on
 the left.
@@ -51,7 +51,7 @@ class Limits:
     def clamp(self, position: float) -> int:
         return min(max(round(position), self.low), self.high)
 
-    def allow(self, position: int) -> bool:
+    def allows(self, position: int) -> bool:
         return self.low <= position <= self.high
 
 

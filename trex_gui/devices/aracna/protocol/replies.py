@@ -56,7 +56,7 @@ class Unrecognized:
 
 
 Reply = Hello | Version | Speeds | Positions | Led | Unrecognized
-ANSWERS: dict[str, type[Reply]] = {
+ANSWERS: dict[str, type[Reply]] = {  # letter of a command → class of its reply
     "q": Version,
     "v": Speeds,
     "c": Positions,

@@ -4,8 +4,8 @@ The reply to `.c` arrives motor by motor, so no call waits for the whole reply. 
 command, listens in short slices, and receives events.
 
 Only a single `.q` may follow an unanswered command, because the chip can store only three bytes,
-the length of a `.q`, while the firmware is busy. The reply to this `.q` means that the firmware is
-free. A late reply to the command arrives before it.
+the length of a `.q`, while the firmware is busy. Once this `.q` is answered, the firmware is free.
+Any late reply to the command arrives before that.
 """
 
 from collections.abc import Sequence
@@ -38,7 +38,7 @@ from trex_gui.devices.aracna.session.messages import LineStats, Progress, Stuck
 
 LINE = SerialFormat(commands.BAUD)
 
-REPLY_TIMEOUT = 1.0  # seconds for all commands but `.c`; the slowest reply takes 0.06 s on a wire
+REPLY_TIMEOUT = 1.0  # seconds, except for `.c`; the slowest reply takes 0.06 s on a wire
 QUERY_RETRY = 5.0
 """Seconds after which `.q` is repeated if a reply is still incomplete. A repetition is harmless,
 because the chip stores only one `.q`."""
@@ -98,7 +98,7 @@ class AracnaClient:
         self._reader = Reader()
         self._arrived: tuple[int, ...] | None = None  # positions in the last `Progress`
         self._is_late = False  # True from a `Stuck` until another position arrives
-        self._query_deadline: float | None = None  # for the reply to a `.q` after the command
+        self._query_deadline: float | None = None  # reply to a `.q` sent after the command
 
     @property
     def extra_time(self) -> float:
@@ -112,7 +112,7 @@ class AracnaClient:
         return None if arrived is None else len(arrived)
 
     # --- Commands -----------------------------------------------------------------------
-    # All commands raise PortUnavailable if the line is gone, and BadRequest while another command
+    # All commands raise PortUnavailable if the line is lost, and BadRequest while another command
     # is pending.
 
     def query(self, timeout: float = REPLY_TIMEOUT) -> None:
@@ -175,7 +175,7 @@ class AracnaClient:
                     self.pending = SentCommand("q", (), now, REPLY_TIMEOUT + self.extra_time)
                 return [Answered(command, reply, now)]
             if isinstance(reply, Version) and self._query_deadline is not None:
-                return [self._lose(now, robot_free=True)]
+                return [self._give_up(now, robot_free=True)]
         if not isinstance(reply, Version):
             self._count(unrecognized=1)
             if isinstance(reply, Unrecognized):
@@ -207,14 +207,14 @@ class AracnaClient:
             return []
         if self._query_deadline is not None and now >= self._query_deadline:
             if self.awaited_motor is None:
-                return [self._lose(now, robot_free=False)]
+                return [self._give_up(now, robot_free=False)]
             # The reply to the `.q` may have been lost together with the end of the reply to `.c`.
             self._query_deadline = None
             self._send_query(now + QUERY_RETRY)
         if self._is_late or now < command.sent + command.timeout:
             return []
         if command.letter != "c":
-            return [self._lose(now, robot_free=False)]
+            return [self._give_up(now, robot_free=False)]
         self._is_late = True
         self._send_query(now + REPLY_TIMEOUT + self.extra_time)
         return [Stuck(now, self.awaited_motor)]
@@ -225,7 +225,7 @@ class AracnaClient:
             self.transport.write(commands.QUERY)
             self._count(requests=1)
 
-    def _lose(self, now: float, *, robot_free: bool) -> ReplyLost:
+    def _give_up(self, now: float, *, robot_free: bool) -> ReplyLost:
         assert self.pending is not None  # noqa: S101 - for the type checker
         lost, self.pending = self.pending, None
         if robot_free or self._unrecognized:

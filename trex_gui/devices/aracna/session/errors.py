@@ -16,8 +16,9 @@ A free servo stops at its goal if its compliance margin is 0. A greater differen
 servo carries a load, or that it lost power during the motion."""
 
 ABORT_TOLERANCE = 50
-"""Difference in units above which a sequence is aborted, as in the authors' self-test. The motor is
-blocked, or servo power was off."""
+"""Difference in units above which a sequence is aborted, as in the authors' self-test.
+
+A greater difference means that the motor is blocked, or that servo power was off."""
 
 
 @unique

@@ -134,7 +134,7 @@ class Connected:
 
 @dataclass(frozen=True, slots=True)
 class Restarted:
-    """The board has restarted (`.h`). Pending requests are void, but servos continue."""
+    """The board has restarted (`.h`). Pending requests are void, but the servos keep moving."""
 
     time: float
     voided: bool  # True if requests were pending
@@ -152,7 +152,7 @@ class Moving:
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Incomplete reply to a `.c`. `present`: positions so far."""
+    """Incomplete reply to a `.c`. `present`: positions received so far."""
 
     time: float
     present: tuple[int, ...]
@@ -160,7 +160,10 @@ class Progress:
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """Reply to a `.c`. `present`: positions, -1 if unreadable or lost."""
+    """Reply to a `.c`. `present`: positions, -1 if unreadable or lost.
+
+    `seconds`: time from the command to the reply.
+    """
 
     time: float
     goals: tuple[int, ...]
@@ -181,7 +184,7 @@ class SpeedsHeld:
 class Stuck:
     """The reply to a `.c` is late, because the robot waits for `motor`.
 
-    The firmware waits for ever for a servo that is blocked or does not respond. A `Moved` may still
+    The firmware waits forever for a servo that is blocked or does not respond. A `Moved` may still
     follow, or another `Stuck` for a later motor. Queued requests are dropped. Requests that need an
     idle robot are rejected until it has replied.
     """
@@ -200,7 +203,7 @@ class NotResponding:
 
 @dataclass(frozen=True, slots=True)
 class StepStarted:
-    """A step starts, `late` seconds behind schedule.
+    """A step has started, `late` seconds behind schedule.
 
     `part`: `in`, `steps` or `out`. `index` (within the part) and `round` count from 0.
     """
@@ -213,7 +216,7 @@ class StepStarted:
 
 
 class Ending(Enum):
-    """End of a sequence. The value is a sentence for the user."""
+    """Reason why a sequence has ended. The value is a sentence for the user."""
 
     DONE = tr_noop("Played to the end.")
     ENDED = tr_noop("The sequence ended after the current step.")

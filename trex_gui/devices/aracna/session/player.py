@@ -1,8 +1,8 @@
 """Player of a sequence of steps.
 
-The schedule does not drift: a step is due when the previous steps should have ended. The seconds of
-a step include the time for `.v`, `.c` and their replies. If the robot is too slow, the next step
-starts late and is shortened by at most half of its seconds.
+The schedule does not drift: a step is due when the previous steps should have ended. The duration
+of a step includes the time for `.v`, `.c` and their replies. If the robot is too slow, the next
+step starts late and is shortened by at most half of its duration.
 """
 
 import itertools
@@ -24,7 +24,7 @@ from trex_gui.devices.aracna.session.messages import (
 from trex_gui.devices.aracna.session.servo_estimates import ServoEstimates
 
 REPLY_TIME = 0.04  # duration in seconds of a `.c` without motion: 33 to 37 ms on a wire
-_MIN_FRACTION = 0.5  # minimum part of a late step's seconds that is left for its motion
+_MIN_FRACTION = 0.5  # minimum fraction of a late step's duration that is left for its motion
 _TIME_SCALES = (0.05, 20.0)  # minimum and maximum
 
 
@@ -138,7 +138,7 @@ class SequencePlayer:
         return self.servos.speeds_to(self._goals, remaining)
 
     def next_goals(self) -> tuple[int, ...] | None:
-        """Return the running step's goals once its speeds are set. `None`: nothing to send."""
+        """Return the running step's unsent goals, or `None`. Its speeds must already be set."""
         goals, self._goals = self._goals, None
         self._is_moving = goals is not None
         return goals

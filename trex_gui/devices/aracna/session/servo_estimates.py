@@ -15,13 +15,13 @@ from trex_gui.devices.aracna.protocol.joints import (
 from trex_gui.devices.aracna.session.errors import missed_goals
 
 ASSUMED_SPEED = 100  # for a servo of unknown speed; low, so that no timeout expires early
-SET_SPEEDS_TIME = 0.055  # maximum seconds of a `.v`, with a pause of 25 ms and the read-back
+SET_SPEEDS_TIME = 0.055  # maximum seconds for a `.v`, including a pause of 25 ms and the read-back
 
 SPEED_VALIDITY = 2.0
 """Validity of reported speeds during a drag or a sequence, in seconds.
 
 After a loss of power, a servo's speed is unlimited, and only the reply to a `.v` shows that.
-Therefore, speeds are set again after this time, which takes `SET_SPEEDS_TIME`."""
+Therefore, speeds are set again after this time. Setting them takes `SET_SPEEDS_TIME`."""
 
 SPEED_VALIDITY_BEFORE_MOVE = 0.5  # validity in seconds before a single `Move`
 

@@ -2,7 +2,7 @@
 
 The loop uses neither threads nor Qt. Without a request it sends only `.q`, because a TReX may be on
 the port, and any other line may harm a TReX at some settings. (At 38400 baud with odd parity, a
-TReX reads `.q` as E1, the start of a motor command. It reads a newline that is sent apart as data.
+TReX reads `.q` as E1, the start of a motor command, and a newline that is sent separately as data.
 So `.q` and two newlines become E1 0A 0A, which drives motor 1.) The robot has no stop command.
 After a `Halt`, the loop merely sends no more commands.
 """
@@ -344,7 +344,8 @@ class AracnaSession:
             return
         voided = self._player.is_playing or bool(self._jobs)
         voided |= command is not None and command.letter != "q"
-        # Servos keep position and speed after a reset, but not after a power cut. Both cause `.h`.
+        # A reset and a power cut both cause `.h`. Only after a reset do servos retain position
+        # and speed.
         self._servos.clear()
         self._report(Restarted(now, voided))
         self._drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))

@@ -31,7 +31,7 @@ def control(line: AracnaLine, text: str) -> str:
 
 def _reset(line: AracnaLine) -> str:
     if not line.station.powered:
-        raise ValueError("the board has no power; power on starts it")
+        raise ValueError("the board has no power; switch the power on first")
     line.station.reset()
     return "the board restarts; the servos continue"
 
@@ -78,7 +78,7 @@ def _set_servo(servo: Servo, words: list[str]) -> str:
         case ["lose", ("moving" | "position" | "speed") as name, *times] if len(times) < 2:
             count = amount(times[0], "a number of reads") if times else 1
             servo.to_fail[Register(name)] = count
-            return f"does not reply to the next {count} reads of {name}"
+            return f"does not reply to the next {counted(count, 'read')} of {name}"
     raise WrongUsage
 
 
@@ -89,7 +89,7 @@ def _wire(line: AracnaLine, *words: str) -> str:
             return "no reply is cut"
         case ["cut", number]:
             line.faults.to_cut = count = amount(number)
-            return f"after {counted(count, 'byte')} the rest of a line is lost"
+            return f"the rest of a line is lost after {counted(count, 'byte')}"
     return run_line_command(line, *words)
 
 
@@ -145,13 +145,13 @@ def simulate(*, motors: int | None = None, paced: bool = True, seed: int = 0) ->
 
 
 SIMULATOR = SimulatorPlugin(
-    help="Simulate an Aracna instead, at 38400 baud. "
-    "Its control lines: reset, power, servo, line, show, quit.",
+    help="Simulate an Aracna at 38400 baud instead of a TReX. Control lines of the Aracna: reset, "
+    "power, servo, line, show, quit.",
     options=(
         click.Option(
             ["--motors"],
             type=click.IntRange(1, MOTORS),
-            help="Number of motors. A robot with 2 motors has version 0.  [default: 8]",
+            help="Number of motors. A robot with 2 motors has firmware version 0.  [default: 8]",
         ),
     ),
     build=simulate,

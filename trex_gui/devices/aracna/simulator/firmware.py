@@ -10,7 +10,7 @@ from enum import Enum
 
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
-BUFFER = 59  # maximum characters of a line with its newline; the sixtieth byte ends the string
+BUFFER = 59  # maximum length of a line, with its newline; the sixtieth byte ends the string
 BLINKING = 1.0  # seconds after `.h` during which the firmware reads nothing
 _BLINKS = 10  # toggles of the LED while blinking; an even number leaves it off
 PARSING = 0.000038  # seconds from the end of a line to its reply, observed
@@ -26,7 +26,7 @@ _BATCH = 0.05  # seconds of polls that are simulated as one pause
 
 _ARRAY = 4  # bytes of the array that receives the characters of a field
 _UNUSED = 10  # initial value of each byte of the array
-_OVERFLOW = 11  # number of characters in a field that overwrites the stack
+_OVERFLOW = 11  # minimum length of a field that overwrites the stack
 _SEPARATORS = b",\n"
 
 
@@ -41,7 +41,7 @@ class State(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Pause:
-    """Wait of the busy program, which reads nothing meanwhile."""
+    """Wait during which the program is busy and reads nothing."""
 
     seconds: float
 
@@ -117,7 +117,7 @@ class Firmware:
         return bytes(line)
 
     def _execute(self, line: bytes) -> Program:
-        """Execute the command that is named by the second character of a line."""
+        """Execute a line. The second character is the name of the command."""
         self.state = State.ANSWERING
         self.counters["commands"] += 1
         yield Pause(PARSING)

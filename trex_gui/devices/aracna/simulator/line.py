@@ -18,9 +18,9 @@ from trex_gui.devices.aracna.simulator.firmware import (
 )
 from trex_gui.devices.aracna.simulator.servos import Servo
 
-OWN = SerialFormat(38_400)  # settings of a matching host: 38400 8N1
+LINE = SerialFormat(38_400)  # settings of a matching host: 38400 8N1
 REAL_BAUD = 16_000_000 / 16 / 26  # 38461.5 bit/s, from a clock of 16 MHz
-STORED_BYTES = 3  # capacity of the UART while the program is busy: two buffers, a shift register
+STORED_BYTES = 3  # capacity of the UART while the program is busy: two buffers and a shift register
 
 _OLD_MOTORS = 2  # number of motors of version 0 (22 Sep 2012)
 
@@ -30,7 +30,7 @@ class RobotStation:
 
     The UART is polled, not interrupt-driven: bytes are read only while the program waits for them.
     The transmitter is double-buffered, and the program waits only until the buffer is free.
-    Therefore, the program already reads while the last two bytes of a reply are being sent.
+    Therefore, the program already reads while the last two bytes of a reply are still being sent.
 
     Attributes:
         keeps_last: if more than three bytes arrive, the UART stores the first two and the last
@@ -39,7 +39,7 @@ class RobotStation:
             repeatedly. This happens only if the last byte is stored.
     """
 
-    line_format = OWN
+    line_format = LINE
     baud = REAL_BAUD
 
     def __init__(self, firmware: Firmware, line: SimulatedLine) -> None:
@@ -53,7 +53,7 @@ class RobotStation:
         self._is_waiting = False
         self._moved_at = 0.0  # time at which the last byte enters the shift register
         self._sent_at = 0.0  # time at which the last byte is completely sent
-        self._input = RateConverter(line.timeline, OWN, OWN.baud, self._receive_sampled)
+        self._input = RateConverter(line.timeline, LINE, LINE.baud, self._receive_sampled)
         self._output: RateConverter | None = None
 
     def advance(self, seconds: float) -> None:
@@ -110,10 +110,10 @@ class RobotStation:
         if host is not None and rates_differ(host.baud, self.baud):
             if self._output is None or self._output.line != host:
                 self._output = RateConverter(line.timeline, host, host.baud, self._arrive_sampled)
-            self._output.receive(byte, OWN, OWN.baud, paced=line.paced)
+            self._output.receive(byte, LINE, LINE.baud, paced=line.paced)
         else:
             arriving = line.faults.garble(byte) if _is_other_parity(host) else byte
-            line.transmit(arriving, self, self._is_still_running())
+            line.transmit(arriving, self, self._restart_check())
 
     def _arrive_sampled(self, byte: int, _error: ReceiveError | None, begun: float) -> None:
         self._line.faults.counters["garbled"] += 1
@@ -125,23 +125,23 @@ class RobotStation:
             self._do(self._program.send(byte))
 
     def _do(self, request: Pause | Transmit | Receive) -> None:
-        line, still = self._line, self._is_still_running()
+        line, is_current = self._line, self._restart_check()
         match request:
             case Pause(seconds):
-                line.timeline.at(line.now + seconds, self._run, still)
+                line.timeline.at(line.now + seconds, self._run, is_current)
             case Transmit(byte):
                 written_at = max(line.now, self._moved_at)
                 self._moved_at = max(written_at, self._sent_at)
                 self._sent_at = self._moved_at + line.byte_time_of(self)
-                line.timeline.at(self._moved_at, partial(self._transmit, byte), still)
-                line.timeline.at(written_at, self._run, still)
+                line.timeline.at(self._moved_at, partial(self._transmit, byte), is_current)
+                line.timeline.at(written_at, self._run, is_current)
             case Receive() if self.held:
-                line.timeline.at(line.now, lambda: self._run(self.held.popleft()), still)
+                line.timeline.at(line.now, lambda: self._run(self.held.popleft()), is_current)
             case Receive():
                 self._is_waiting = True
 
-    def _is_still_running(self) -> Callable[[], bool]:
-        """Return a function that returns False after a reset of the board."""
+    def _restart_check(self) -> Callable[[], bool]:
+        """Return a function that returns True until the board is reset or switched off."""
         program = self._program
         return lambda: self._program is program
 

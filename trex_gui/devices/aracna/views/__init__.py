@@ -1,1 +1,1 @@
-"""Pages and dialogs of Aracna."""
+"""Pages and dialogs of an Aracna."""

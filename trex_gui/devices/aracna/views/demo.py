@@ -1,4 +1,4 @@
-"""Dock of the Demo Aracna, a simulated robot."""
+"""Content of the demo panel of a simulated Aracna."""
 
 from PySide6.QtWidgets import QWidget
 
@@ -114,7 +114,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
     gauge = progress_bar(rows, f"aracnaDemoGauge{motor}", spoken)
     gauge.setRange(0, HIGHEST)
     gauge.setMinimumWidth(_MIN_GAUGE_WIDTH)
-    value = LiveLabel(f"aracnaDemoWhere{motor}", spoken, rows)
+    value = LiveLabel(f"aracnaDemoPosition{motor}", spoken, rows)
     dead = rows.check_box(
         f"aracnaDemoDead{motor}",
         "",
@@ -186,7 +186,7 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
 
 
 def state_text(snapshot: RobotSnapshot) -> str:
-    if snapshot.is_held_up:
+    if snapshot.is_stuck:
         if not snapshot.servo_power:
             return tr("Moving indefinitely: waiting for servos that have no power.")
         return tr("Moving indefinitely: waiting for a servo that is blocked or dead.")

@@ -1,4 +1,4 @@
-"""Help topics of the pages and messages of an Aracna."""
+"""Help topics for the pages and messages of an Aracna."""
 
 from trex_gui.core.errors import PortFault
 from trex_gui.devices.aracna.session.errors import ErrorCode

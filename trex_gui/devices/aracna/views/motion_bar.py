@@ -18,7 +18,7 @@ _REFRESH_MS = 100
 
 
 class StopSequenceButton(RedButton):
-    """Button that halts the robot, like Esc. Also used in windows that may cover the pages."""
+    """Button that ends the sequence, like Esc. Also used in windows that may cover the pages."""
 
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop sequence")), robot.halt, parent)
@@ -60,7 +60,7 @@ class MotionBar(ActionBar):
             "This link has no stop command: a running motion ends by itself or when the "
             "servo power is cut."
         )
-        hint_label = ui.label(self, "aracnaHonestLabel", hint, wrap=True)
+        hint_label = ui.label(self, "aracnaNoStopLabel", hint, wrap=True)
         texts = ui.column(self._activity, hint_label, spacing=2)
         self.fill((texts, 1), recording, self._end)
 
@@ -81,6 +81,6 @@ class MotionBar(ActionBar):
 
     def _activity_text(self, remaining: float) -> tuple[str, bool]:
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            ending = ending_text(remaining) if remaining > 0 else ""
-            return f"{tr('No robot is connected.')} {ending}".rstrip(), remaining > 0
+            text = f"{tr('No robot is connected.')} {ending_text(remaining)}"
+            return text.rstrip(), remaining > 0
         return activity_text(self._robot.state, remaining)

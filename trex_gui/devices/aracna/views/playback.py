@@ -39,7 +39,7 @@ class RobotPlaybackWindow(RecordingWindow):
         self.playback = playback
         state = playback.state()
 
-        self._activity = ui.named(Note(3, self), "aracnaRecordedDoing")
+        self._activity = ui.named(Note(3, self), "aracnaRecordedActivity")
         self._drawing = RobotDrawing(state, self)
         text = f"{drawing_text()}\n* {assumed_text()}"
         caption = ui.label(self, "aracnaRecordedCaption", text, wrap=True, size="caption")
@@ -52,7 +52,7 @@ class RobotPlaybackWindow(RecordingWindow):
         playback.moved.connect(self._show_moment)
         playback.loaded.connect(self._show_moment)
         self._drawing.pointed.connect(self._joints.mark)
-        self._drawing.chosen.connect(self._joints.focus)
+        self._drawing.joint_clicked.connect(self._joints.focus)
         self._joints.toggled.connect(self._on_toggled)
         self.arrange(
             StopSequenceButton(robot, "aracnaPlaybackStopButton", self),

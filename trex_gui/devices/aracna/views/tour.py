@@ -7,7 +7,7 @@ from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.session.messages import Play, Step
 from trex_gui.ui.tour import Tour, TourStep
 
-_STEP_S = 2.5  # long enough for a motion in every picture
+_STEP_S = 2.5  # long enough that every picture shows a motion
 
 
 def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[TourStep]:

@@ -71,7 +71,7 @@ class AracnaWorkspace(Workspace):
         self.help_topics, self.message_help = TOPICS, message_help()
         self.log.follow(robot.events)
         self.library = Library(robot)
-        self._shown: tuple[Mapping[str, bool], bool] = ({}, False)
+        self._menu_state: tuple[Mapping[str, bool], bool] = ({}, False)
 
         tabs = self.pages
         tabs.setObjectName("aracnaTabs")
@@ -233,23 +233,23 @@ class AracnaWorkspace(Workspace):
 
     def enabled_actions(self) -> Mapping[str, bool]:
         robot, recorder = self._robot, self.recordings.recorder
-        idle, undo = robot.state.play is None, self.library.undo
+        is_idle, undo = robot.state.play is None, self.library.undo
         return {
             "aracna_move": not robot.move_blocker,
             "aracna_play": not robot.move_blocker,
-            "aracna_end": not idle and robot.link is ConnectionState.CONNECTED,
+            "aracna_end": not is_idle and robot.link is ConnectionState.CONNECTED,
             "aracna_record": recorder.recording or recorder.can_record,
             "aracna_offline": robot.link is ConnectionState.DISCONNECTED,
-            "aracna_led": idle and robot.link is ConnectionState.CONNECTED,
+            "aracna_led": is_idle and robot.link is ConnectionState.CONNECTED,
             "aracna_capture": None not in robot.state.present,
             "aracna_undo": undo.canUndo(),
             "aracna_redo": undo.canRedo(),
             "aracna_demo": self._controller.demo_in_use,
         }
 
-    def _on_page(self, key: str, act: Callable[[], None]) -> None:
+    def _on_page(self, key: str, action: Callable[[], None]) -> None:
         self.show_page(key)
-        act()
+        action()
 
     @Slot()
     def _on_changed(self) -> None:
@@ -261,8 +261,8 @@ class AracnaWorkspace(Workspace):
         self._actions["aracna_record"].setText(text)
         self._actions["aracna_demo"].setChecked(self._demo.wanted)
         self._actions["aracna_led"].setChecked(bool(self._robot.state.led))
-        if (shown := (self.enabled_actions(), self.has_edits)) != self._shown:
-            self._shown = shown
+        if (menu_state := (self.enabled_actions(), self.has_edits)) != self._menu_state:
+            self._menu_state = menu_state
             self.actions_changed.emit()
 
     def may_close(self, leave: Callable[[], object]) -> bool:

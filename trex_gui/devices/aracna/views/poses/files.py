@@ -21,7 +21,7 @@ from trex_gui.ui.widgets.document_saver import DocumentSaver
 
 _FOLDER = "aracna/folder"
 
-_MAX_FINDINGS = 8  # findings in a message, which must fit into the window
+_MAX_FINDINGS = 8  # maximum in a message, which must fit into the window
 
 
 class PoseFiles(QObject):
@@ -77,7 +77,7 @@ class PoseFiles(QObject):
 
     @Slot()
     def save(self) -> bool:
-        """Start saving the file. Return False if that was cancelled."""
+        """Start saving the file. Return False if the user cancelled."""
         commit_typed()
         path = self._library.path
         if path is None:
@@ -102,7 +102,7 @@ class PoseFiles(QObject):
         self._notifier.info.emit(tr("Saved in {0}.").format(path))
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Prompt before edits are lost. `leave` is called once they are saved."""
+        """Prompt before edits are lost. `leave` is called once the edits are saved."""
         commit_typed()
         return self._saver.may_leave(self._saver.answer(), self.save, leave)
 

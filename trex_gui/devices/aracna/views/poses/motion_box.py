@@ -92,7 +92,7 @@ class MotionBox(ui.Card):
 
         new.clicked.connect(lambda: self._list.select_and_edit(library.add_sequence()))
         self._add.clicked.connect(self._on_add_clicked)
-        self._list.chosen.connect(lambda: self.table.show_item(self._list.current))
+        self._list.current_changed.connect(lambda: self.table.show_item(self._list.current))
         self.table.selectionModel().currentChanged.connect(self._update_buttons)
         self.table.steps_changed.connect(self._update_buttons)
         self.table.steps_changed.connect(self.steps_changed)
@@ -292,8 +292,8 @@ class StepTable(QTableWidget):
 
     @Slot()
     def _on_library_changed(self) -> None:
-        played = self._library.playable(self._key)
-        steps = played.steps if played is not None else ()
+        sequence = self._library.playable(self._key)
+        steps = sequence.steps if sequence is not None else ()
         if len(steps) != len(self.steps):
             self._notes = {}
         self.steps = steps

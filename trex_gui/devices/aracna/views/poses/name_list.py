@@ -22,24 +22,24 @@ class NameList(QListWidget):
     F2 renames an item, Del deletes it, and Alt with an arrow key moves it.
     """
 
-    chosen = Signal()  # the current item has changed
+    current_changed = Signal()
 
     def __init__(
         self,
         library: Library,
         kind: ItemKind,
         notifier: Notifier,
-        empty: str,
+        placeholder: str,
         parent: QWidget | None = None,
     ) -> None:
-        """`empty`: text of an empty list."""
+        """`placeholder`: text in an empty list."""
         super().__init__(parent)
         self._library = library
         self._kind = kind
         self._notifier = notifier
-        self._empty = empty
+        self._placeholder = placeholder
         self._keys: list[ItemKey] = []
-        self._chosen: ItemKey | None = None
+        self._last_current: ItemKey | None = None
         self.setEditTriggers(
             QAbstractItemView.EditTrigger.EditKeyPressed
             | QAbstractItemView.EditTrigger.SelectedClicked
@@ -90,7 +90,7 @@ class NameList(QListWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self.count() == 0:
-            paint_placeholder(self, self._empty)
+            paint_placeholder(self, self._placeholder)
 
     @Slot()
     def _on_duplicate(self) -> None:
@@ -117,9 +117,9 @@ class NameList(QListWidget):
 
     @Slot()
     def _on_current_changed(self) -> None:
-        self._chosen = self.current
+        self._last_current = self.current
         self._update_actions()
-        self.chosen.emit()
+        self.current_changed.emit()
 
     @Slot(QListWidgetItem)
     def _on_renamed(self, item: QListWidgetItem) -> None:
@@ -133,9 +133,9 @@ class NameList(QListWidget):
     @Slot()
     def _show_names(self) -> None:
         """Show the library's items. The current item stays current if possible."""
-        keys, chosen = self._keys_in_library(), self._chosen
+        keys, current = self._keys_in_library(), self._last_current
         with QSignalBlocker(self):
-            is_renamed = len(keys) == len(self._keys) and chosen not in keys
+            is_renamed = len(keys) == len(self._keys) and current not in keys
             self._keys = keys
             while self.count() < len(keys):
                 self.addItem("")
@@ -144,8 +144,8 @@ class NameList(QListWidget):
             for row, key in enumerate(keys):
                 self._show_item(self.item(row), key)
             if not is_renamed:
-                self.select(chosen)
-        if self.current != chosen:
+                self.select(current)
+        if self.current != current:
             self._on_current_changed()
 
     def _keys_in_library(self) -> list[ItemKey]:

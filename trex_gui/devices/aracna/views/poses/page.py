@@ -37,7 +37,7 @@ class PosesPage(QWidget):
         below = ui.row((self._drawn, 2), (panel, 7), spacing=16)
         ui.column(self._head, (below, 1), into=self, margins=PAGE_MARGINS, spacing=8)
 
-        poses.pose_chosen.connect(motions.set_step_pose)
+        poses.pose_selected.connect(motions.set_step_pose)
         motions.set_step_pose(poses.current_name)
         library.changed.connect(self._show_file)
         self._show_file()

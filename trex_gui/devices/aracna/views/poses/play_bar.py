@@ -15,8 +15,8 @@ from trex_gui.devices.aracna.poses.playing import (
     blend_out,
     clamped,
     estimated_seconds,
-    late_motors,
-    mismatch,
+    motor_count_warning,
+    slow_motors,
     stages_of,
     steps_of,
 )
@@ -145,18 +145,18 @@ class PlayBar(QWidget):
 
     @Slot()
     def _update_preview(self) -> None:
-        state, played = self._robot.state, self._motions.playable
+        state, sequence = self._robot.state, self._motions.playable
         self._limits, self._present = self._robot.limits.for_motors(state.motors), state.present
         limits, present, poses = self._limits, self._present, self._library.project.poses
         self._request = None
-        if played is None:
+        if sequence is None:
             self._show_preview(tr("Select a sequence or a gait to play it."))
             return
         try:
-            steps = steps_of(played, poses, limits)
+            steps = steps_of(sequence, poses, limits)
         except BadRequest as error:
             known = {pose.name for pose in poses}
-            undefined = [n for n, step in enumerate(played.steps) if step.pose_name not in known]
+            undefined = [n for n, step in enumerate(sequence.steps) if step.pose_name not in known]
             notes = dict.fromkeys(undefined, tr("not defined"))
             self._show_preview(tr("Cannot play: {0}.").format(error), alarming=True, notes=notes)
             return
@@ -164,24 +164,24 @@ class PlayBar(QWidget):
             0,
             steps,
             self._rounds.value(),
-            blend_in(played, poses, limits, present) if self._blend_in.isChecked() else (),
+            blend_in(sequence, poses, limits, present) if self._blend_in.isChecked() else (),
             blend_out(limits, poses) if self._blend_out.isChecked() else (),
             self._time_scale,
         )
-        scaled = steps_of(played, poses, limits, play.time_scale)
+        scaled = steps_of(sequence, poses, limits, play.time_scale)
         start = play.blend_in[-1].goals if play.blend_in else present
-        late = late_motors(scaled, start, again=play.rounds != 1)
-        used = [pose for pose, _ in stages_of(played, poses)]
-        is_clampped = any(pose.for_motors(len(limits)) != clamped(pose, limits) for pose in used)
-        other = mismatch(used, len(limits))
+        slow = slow_motors(scaled, start, repeated=play.rounds != 1)
+        used = [pose for pose, _ in stages_of(sequence, poses)]
+        is_clamped = any(pose.for_motors(len(limits)) != clamped(pose, limits) for pose in used)
+        warning = motor_count_warning(used, len(limits))
         sentences = (
-            other,
+            warning,
             _length_text(len(steps), estimated_seconds(scaled, start), play.rounds),
-            tr("Positions outside the limits are clamped.") if is_clampped else "",
-            tr("Some motors are too slow.") if late else "",
+            tr("Positions outside the limits are clamped.") if is_clamped else "",
+            tr("Some motors are too slow.") if slow else "",
         )
-        text, alarming = " ".join(filter(None, sentences)), bool(late or other)
-        self._show_preview(text, alarming=alarming, notes=_notes(late))
+        text, alarming = " ".join(filter(None, sentences)), bool(slow or warning)
+        self._show_preview(text, alarming=alarming, notes=_notes(slow))
 
     def _show_preview(
         self, text: str, *, alarming: bool = False, notes: dict[int, str] | None = None
@@ -203,11 +203,11 @@ class PlayBar(QWidget):
         self._motions.table.show_running(step.index if step is not None and is_shown else None)
 
 
-def _notes(late: Mapping[int, dict[int, float]]) -> dict[int, str]:
+def _notes(slow: Mapping[int, dict[int, float]]) -> dict[int, str]:
     text = tr("needs {0:.2f} s (motor {1})")
     return {
         step: text.format(Number(max(needed.values())), ", ".join(map(str, needed)))
-        for step, needed in late.items()
+        for step, needed in slow.items()
     }
 
 

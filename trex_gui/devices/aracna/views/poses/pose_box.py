@@ -1,4 +1,4 @@
-"""List of poses, the positions of the current pose, and its actions."""
+"""List of poses, with the positions of the current pose and buttons for it."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QSpinBox, QWidget
@@ -7,7 +7,7 @@ from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.library import ItemKind, Library
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.poses.playing import mismatch
+from trex_gui.devices.aracna.poses.playing import motor_count_warning
 from trex_gui.devices.aracna.poses.project import Pose
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
@@ -19,7 +19,7 @@ _COLUMNS = 4
 
 
 class PoseBox(ui.Card):
-    pose_chosen = Signal(str)  # name of the current pose, or empty
+    pose_selected = Signal(str)  # name of the current pose, or empty
 
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(title_of(tr("Pos&es")), parent)
@@ -28,15 +28,15 @@ class PoseBox(ui.Card):
         self._robot = robot
         self._library = library
 
-        empty = tr("No poses. Capture the robot's position, or open a pose file.")
+        placeholder = tr("No poses. Capture the robot's position, or open a pose file.")
         self._list = ui.named(
-            NameList(library, ItemKind.POSE, robot.notifier, empty, self),
+            NameList(library, ItemKind.POSE, robot.notifier, placeholder, self),
             "aracnaPoses",
             accessible=title_of(tr("Pos&es")),
         )
         self._set_to_present = small_button(
             self,
-            "aracnaTakePosition",
+            "aracnaSetPosition",
             tr("Set this pose to the robot's position"),
             icon="edited",
             on_click=self._on_set_to_present_clicked,
@@ -62,11 +62,11 @@ class PoseBox(ui.Card):
             spacing=4,
         )
 
-        self._list.chosen.connect(self._on_chosen)
-        library.changed.connect(self._on_chosen)
+        self._list.current_changed.connect(self._show_pose)
+        library.changed.connect(self._show_pose)
         robot.changed.connect(self._update_buttons)
         robot.limits.changed.connect(self._update_tool_tips)
-        self._on_chosen()
+        self._show_pose()
 
     def _field(self, motor: int) -> QSpinBox:
         accessible = tr("Position of motor {0} in this pose").format(motor)
@@ -85,7 +85,7 @@ class PoseBox(ui.Card):
         return "" if key is None else key.name
 
     @Slot()
-    def _on_chosen(self) -> None:
+    def _show_pose(self) -> None:
         pose = self._pose
         positions = pose.positions if pose is not None else ()
         for motor, box in enumerate(self._fields):
@@ -97,7 +97,7 @@ class PoseBox(ui.Card):
                     box.setValue(positions[motor])
         self._update_tool_tips()
         self._update_buttons()
-        self.pose_chosen.emit(self.current_name)
+        self.pose_selected.emit(self.current_name)
 
     @Slot()
     def _update_tool_tips(self) -> None:
@@ -105,7 +105,7 @@ class PoseBox(ui.Card):
             limits = self._robot.limits.of(motor)
             value = box.value()
             text = tr("Motor {0}: {1:.0f}°, limits {2} to {3}")
-            if not limits.allow(value):
+            if not limits.allows(value):
                 text = tr("Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}")
             angle, sent = degrees(value), limits.clamp(value)
             box.setToolTip(ui.plain(text.format(motor, angle, limits.low, limits.high, sent)))
@@ -113,15 +113,15 @@ class PoseBox(ui.Card):
     @Slot()
     def _update_buttons(self) -> None:
         is_known = None not in self._robot.state.present
-        is_chosen = self._pose is not None
+        is_selected = self._pose is not None
         self._capture.setEnabled(is_known)
         tip = tr("Save the robot's position as a new pose.") if is_known else _unknown_text()
         self._capture.setToolTip(ui.plain(tip))
-        self._set_to_present.setEnabled(is_known and is_chosen)
+        self._set_to_present.setEnabled(is_known and is_selected)
         blocker = self._robot.move_blocker
-        self._go_to.setEnabled(is_chosen and not blocker)
+        self._go_to.setEnabled(is_selected and not blocker)
         poses = [] if self._pose is None else [self._pose]
-        tip = mismatch(poses, self._robot.state.motors)
+        tip = motor_count_warning(poses, self._robot.state.motors)
         tip = tip or tr("Move every motor to this pose, within its limits.")
         self._go_to.setToolTip(ui.plain(blocker or tip))
 

@@ -1,8 +1,8 @@
 """Sketch of the robot from above: solid lines for reported positions, dashed lines for goals.
 
 No publication describes how a servo's angle turns a leg, so the sketch does not use kinematics.
-Every angle is drawn flat. It is reduced so that legs do not overlap, and mirrored so that equal
-angles look alike on both sides.
+All angles are drawn flat, reduced so that legs do not overlap, and mirrored so that equal angles
+look alike on both sides.
 """
 
 import math
@@ -30,7 +30,7 @@ _LOWER = 0.34
 _LEG = 0.08  # width of a leg
 _RADIUS = 0.075
 _REACH = 0.13  # maximum distance at which the mouse points at a joint
-_MAX_WIDTH = 130  # maximum width of the widget beside the drawing, in average characters
+_MAX_WIDTH = 130  # maximum width of the widget next to the drawing, in average characters
 
 Point = tuple[float, float]
 
@@ -69,7 +69,7 @@ def _along(start: Point, angle: float, length: float) -> Point:
 
 class RobotDrawing(Painted):
     pointed = Signal(int)  # motor of the joint below the mouse, or -1
-    chosen = Signal(int)  # motor of the clicked joint
+    joint_clicked = Signal(int)  # motor
 
     def __init__(self, state: RobotState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -104,7 +104,7 @@ class RobotDrawing(Painted):
 
     def joint_place(self, motor: int) -> QPointF:
         """Return a joint's position in pixels."""
-        leg = self._solid()[motor // 2]
+        leg = self._present_legs()[motor // 2]
         return self._to_pixels(leg.outer if motor % 2 else leg.inner)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -116,7 +116,7 @@ class RobotDrawing(Painted):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         motor = self._joint_at(event.position())
         if motor >= 0:
-            self.chosen.emit(motor)
+            self.joint_clicked.emit(motor)
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
@@ -125,14 +125,14 @@ class RobotDrawing(Painted):
     def _joint_at(self, point: QPointF) -> int:
         """Return the motor of the joint at a point, or -1."""
         nearest, limit = -1, _REACH * self._scale()
-        for motor in range(2 * len(self._solid())):
+        for motor in range(2 * len(self._present_legs())):
             offset = point - self.joint_place(motor)
             distance = math.hypot(offset.x(), offset.y())
             if distance < limit:
                 nearest, limit = motor, distance
         return nearest
 
-    def _solid(self) -> tuple[DrawnLeg, ...]:
+    def _present_legs(self) -> tuple[DrawnLeg, ...]:
         """Return the legs at their reported positions. Goals replace unknown positions."""
         pairs = zip(self._state.present, self._goals, strict=False)
         return drawn_legs(tuple(goal if present is None else present for present, goal in pairs))
@@ -148,7 +148,7 @@ class RobotDrawing(Painted):
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         with Painter(self) as painter:
-            solid = self._solid()
+            solid = self._present_legs()
             body = QRectF(self._to_pixels((-_BODY, -_BODY)), self._to_pixels((_BODY, _BODY)))
             paint_chassis(painter, body)
             front = tr("front") + "*"
@@ -202,7 +202,7 @@ class RobotCard(Card):
         self._robot = robot
         caption = label(self, "aracnaCaption", remark, wrap=True, size="caption")
         column((self.drawing, 1), caption, into=self)
-        follow_theme(beside, "width", self._limit)
+        follow_theme(beside, "width", self._limit_width)
         robot.changed.connect(self._on_changed)
         robot.targets.changed.connect(self._on_changed)
         self._on_changed()
@@ -211,12 +211,12 @@ class RobotCard(Card):
     def _on_changed(self) -> None:
         self.drawing.show_robot(self._robot.state, self._robot.targets.goals)
 
-    def _limit(self) -> None:
+    def _limit_width(self) -> None:
         limit = _MAX_WIDTH * self.fontMetrics().averageCharWidth()
         self._beside.setMaximumWidth(max(limit, self._beside.minimumSizeHint().width()))
 
     def show_in(self, width: int) -> None:
-        """Show the card if it fits beside the widget within `width` pixels."""
+        """Show the card if it and the widget next to it fit into `width` pixels."""
         needed = self.drawing.minimumSizeHint().width() + 3 * CARD_PADDING
         self.setVisible(width >= self._beside.minimumSizeHint().width() + needed)
 

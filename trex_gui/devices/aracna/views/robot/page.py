@@ -30,9 +30,12 @@ from trex_gui.ui.widgets.labels import PAGE_MARGINS, PageHead
 
 class RobotPage(QWidget):
     def __init__(
-        self, robot: Robot, start: Callable[[QWidget], QWidget], parent: QWidget | None = None
+        self,
+        robot: Robot,
+        create_start: Callable[[QWidget], QWidget],
+        parent: QWidget | None = None,
     ) -> None:
-        """`start` creates the panel that is visible without a connection."""
+        """`create_start`: creates the start panel, which is visible without a connection."""
         super().__init__(parent)
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
@@ -50,12 +53,12 @@ class RobotPage(QWidget):
         drawing = self._drawn.drawing
         cards = ui.row((self._drawn, 2), (joints, 7), spacing=16)
         ui.column(self._head, (cards, 1), into=self._content, margins=0, spacing=8)
-        self._start = start(self)
+        self._start = create_start(self)
         ui.column(self._start, self._content, into=self, margins=PAGE_MARGINS)
 
         drawing.pointed.connect(table.mark)
         table.pointed.connect(drawing.mark)
-        drawing.chosen.connect(table.focus)
+        drawing.joint_clicked.connect(table.focus)
         robot.changed.connect(self._on_changed)
         self._on_changed()
 
@@ -105,7 +108,7 @@ class RobotPage(QWidget):
 
     def _before_first_move_text(self) -> str:
         text = tr("This robot reports them only in its reply to a move.")
-        if self._robot.speeds_chosen:
+        if self._robot.has_user_speeds:
             return text
         more = tr("The first move runs at speed {0} ({1}) unless you set other speeds.")
         return f"{text} {more.format(FIRST_SPEED, speed_text(FIRST_SPEED))}"
@@ -148,7 +151,7 @@ class CommonSpeedBox(SpeedBox):
             self.setValue(steps * self.singleStep())
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Select the remark that the speeds differ, also after a click."""
+        """Select the remark that the speeds differ, even after a click."""
         super().focusInEvent(event)
         if self.differ:
             QTimer.singleShot(0, self, self.selectAll)
