@@ -171,11 +171,11 @@
         <translation>{0} hat nicht die Form {1}://host:port, zum Beispiel {1}://192.168.1.20:2217.</translation></message>
     <message><source>{0} is not the name of a host, such as robot.local.</source>
         <translation>{0} ist kein Rechner, etwa robot.local.</translation></message>
-    <message><source>Opening this port reset the board: it responds again after about a second.</source>
+    <message><source>Opening this port reset the board. The board responds again after about a second.</source>
         <translation>Das Öffnen dieses Ports hat das Board zurückgesetzt: Es antwortet etwa eine Sekunde später.</translation></message>
     <message><source>Aracna {0}</source>
         <translation>Aracna {0}</translation></message>
-    <message><source>No probe for an Aracna was sent on {0}: the baud rate is set at the other end of the network, and a TReX at another rate could mistake the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
+    <message><source>No probe for an Aracna was sent on {0}: the baud rate is set at the other end of the network, and a TReX at another rate could mistake the probe for a command. If you know that the device is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
         <translation>An {0} wurde keine Anfrage an einen Aracna gesendet: Die Baudrate ist am anderen Ende des Netzwerks eingestellt, und ein TReX mit einer anderen Baudrate könnte die Anfrage für einen Befehl halten. Wenn Sie wissen, dass es ein Aracna ist, verbinden Sie einmal mit: trex-gui --device aracna --port {1}</translation></message>
     <message><source>No probe for an Aracna was sent: {0} cannot be set to {1}.</source>
         <translation>Es wurde keine Anfrage an einen Aracna gesendet: {0} lässt sich nicht auf {1} einstellen.</translation></message>
@@ -203,7 +203,7 @@
         <translation>Motor {0}</translation></message>
     <message><source>The recording ends here.</source>
         <translation>Die Aufzeichnung endet hier.</translation></message>
-    <message><source>Recording {0} ended with the connection.</source>
+    <message><source>Recording {0} ended because the connection was closed.</source>
         <translation>Aufzeichnung {0} endete mit der Verbindung.</translation></message>
     <message><source>Recording {0} ended: the number of motors has changed.</source>
         <translation>Aufzeichnung {0} beendet: Die Anzahl der Motoren hat sich geändert.</translation></message>
@@ -239,17 +239,19 @@
         <translation><numerusform>%n Schritt wird abgespielt, {0}.</numerusform><numerusform>%n Schritte werden abgespielt, {0}.</numerusform></translation></message>
     <message><source>Nothing more is sent.</source>
         <translation>Es wird nichts mehr gesendet.</translation></message>
-    <message><source>Solid lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
+    <message><source>Solid lines: last reported positions. Dashed lines: goals. In this sketch, all angles are drawn flat.</source>
         <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel. Eine Skizze: Winkel sind flach gezeichnet.</translation></message>
     <message><source>The order of the legs is assumed. Even motors are inner joints, odd motors are outer joints.</source>
         <translation>Welches Bein welches ist, ist angenommen; Motoren mit gerader Nummer sind innere Gelenke, solche mit ungerader äußere.</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
         <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
     <message><source>Check its power and the cable.</source>
         <translation>Prüfen Sie seine Stromversorgung und das Kabel.</translation></message>
     <message><source>unlimited</source>
         <translation>unbegrenzt</translation></message>
-    <message><source>The reply was lost (or no motor responds): positions are not known.</source>
+    <message><source>The reply was lost, or no motor responds. The positions are unknown.</source>
         <translation>Die Antwort ging verloren (oder kein Motor reagiert): Die Positionen sind nicht bekannt.</translation></message>
     <message><source>Unknown: a motion may continue for about {0:.0f} s.</source>
         <translation>Unbekannt: Eine Bewegung kann noch etwa {0:.0f} s weiterlaufen.</translation></message>
@@ -269,8 +271,6 @@
         <translation>In Ruhe: Es wird nichts gesendet.</translation></message>
     <message><source>Unknown: the last motion may still be running.</source>
         <translation>Unbekannt: Die letzte Bewegung läuft vielleicht noch.</translation></message>
-    <message><source>The motion ends by itself in about {0:.1f} s.</source>
-        <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
     <message><source>The sequence starts.</source>
         <translation>Die Sequenz beginnt.</translation></message>
     <message><source>Playing blend-in.</source>
@@ -291,7 +291,7 @@
         <translation>Schritt {0} läuft, Durchlauf {1}.</translation></message>
     <message><source>motor {0} to {1} instead of {2}</source>
         <translation>Motor {0} auf {1} statt {2}</translation></message>
-    <message><source>{0} missed</source>
+    <message><source>missed by {0}</source>
         <translation>{0} verfehlt</translation></message>
     <message><source>Waiting for motor {0} to arrive …</source>
         <translation>Warten, bis Motor {0} ankommt …</translation></message>
@@ -299,7 +299,7 @@
         <translation>Legt sich in 3 s flach hin und steht in 3 s auf, aus jeder Stellung.</translation></message>
     <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
         <translation>Hebt zwei gegenüberliegende Beine, schwenkt die anderen beiden, wechselt und schwenkt sie zurück.</translation></message>
-    <message><source>Moves all motors together, 100 units about the centre.</source>
+    <message><source>Moves all motors together, up to 100 units to either side of the centre.</source>
         <translation>Alle Motoren gemeinsam, 100 Einheiten um die Mitte.</translation></message>
     <message><source>Moves back and forth between two poses; a motor that ends more than 50 units from its goal is suspect.</source>
         <translation>Zwischen zwei Posen hin und her; Motoren, die mehr als 50 Einheiten abweichen, sind verdächtig.</translation></message>
@@ -309,13 +309,13 @@
         <translation>Über „half-stand“ nach „flat“, aus jeder Stellung.</translation></message>
     <message><source>The poses are for {0} motors, but the robot has {1}: the last positions are ignored.</source>
         <translation>Die Posen sind für {0} Motoren, der Roboter hat {1}: Die letzten Positionen werden weggelassen.</translation></message>
-    <message><source>The poses are for {0} motors, but the robot has {1}: its last motors go to {2}.</source>
+    <message><source>The poses are for {0} motors, but the robot has {1}: the remaining motors go to {2}.</source>
         <translation>Die Posen sind für {0} Motoren, der Roboter hat {1}: Seine letzten Motoren gehen auf {2}.</translation></message>
     <message><source>{0} uses poses that are not defined: {1}</source>
         <translation>{0} verwendet nicht definierte Posen: {1}</translation></message>
     <message><source>{0} has no steps</source>
         <translation>{0} hat keine Schritte</translation></message>
-    <message><source>the first line should name the robot and its servos; assuming 8 servos</source>
+    <message><source>the first line should contain the name of the robot and the number of servos; assuming 8 servos</source>
         <translation>die erste Zeile sollte den Roboter und seine Servos nennen; angenommen werden 8 Servos</translation></message>
     <message><source>poses</source>
         <translation>Posen</translation></message>
@@ -323,25 +323,25 @@
         <translation>weder Pose noch Sequenz: Der Doppelpunkt fehlt</translation></message>
     <message><source>a sequence needs a colon after its name</source>
         <translation>eine Sequenz hat einen Doppelpunkt nach ihrem Namen</translation></message>
-    <message><source>this is not UTF-8 text; it is read as Western European, and Save writes UTF-8</source>
+    <message><source>this text is not in UTF-8; it was read as Western European, and will be saved as UTF-8</source>
         <translation>dies ist kein UTF-8-Text; er wird als westeuropäisch gelesen, und „Speichern“ schreibt UTF-8</translation></message>
-    <message><source>this is a binary file; poses are text</source>
+    <message><source>this is a binary file, but pose files contain text</source>
         <translation>dies ist eine Binärdatei; Posen sind Text</translation></message>
     <message><source>{0} resolutions are expected; assuming {1} for every servo</source>
         <translation>{0} Auflösungen werden erwartet; angenommen wird {1} für jedes Servo</translation></message>
-    <message><source>pose {0} has {1} positions of {2}; missing ones become {3}</source>
+    <message><source>pose {0} has only {1} of {2} positions; the missing positions become {3}</source>
         <translation>Pose {0} hat {1} von {2} Positionen; fehlende werden zu {3}</translation></message>
-    <message><source>pose {0}: positions are numbers from 0 to {1}, not {2!r} (motor {3})</source>
+    <message><source>pose {0}: positions must be numbers from 0 to {1}, not {2!r} (motor {3})</source>
         <translation>Pose {0}: Positionen sind Zahlen von 0 bis {1}, nicht {2!r} (Motor {3})</translation></message>
-    <message><source>sequence {0}: a step is a pose, a bar and {1} to {2} ms, not {3!r}</source>
+    <message><source>sequence {0}: a step must be a pose, a bar and {1} to {2} ms, not {3!r}</source>
         <translation>Sequenz {0}: Ein Schritt ist eine Pose, ein senkrechter Strich und {1} bis {2} ms, nicht {3!r}</translation></message>
     <message><source>pose {0} has {1} positions for {2} servos; the last positions are kept, but not used</source>
         <translation>Pose {0} hat {1} Positionen für {2} Servos; die letzten bleiben erhalten, werden aber nicht verwendet</translation></message>
-    <message><source>line {0} defines this {1} again and takes precedence; this one is now called {2}</source>
+    <message><source>line {0} defines this {1} again and takes precedence; the {1} in this line is now called {2}</source>
         <translation>Zeile {0} enthält diese {1} noch einmal und gilt; diese hier heißt jetzt {2}</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>Sequenz {0} verwendet die Pose {1}, die nicht in der Datei steht</translation></message>
-    <message><source>a {0} has a name before its colon</source>
+    <message><source>a {0} needs a name before the colon</source>
         <translation>vor dem Doppelpunkt fehlt der Name ({0})</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0}; die Zeile bleibt erhalten, wird aber nicht verwendet</translation></message>
@@ -365,23 +365,23 @@
         <translation>Hinten links</translation></message>
     <message><source>limits must be 0 to {0}, the lower one first, not {1} to {2}</source>
         <translation>Grenzen sind 0 bis {0} in aufsteigender Reihenfolge, nicht {1} bis {2}</translation></message>
-    <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
+    <message><source>No Aracna responds on {0}. If the robot is moving, wait until it stops: it does not listen while it moves. Check that the robot's board has power, that the adapter's TX is connected to the board's RX and the adapter's RX to the board's TX (or that both radios are on the same channel), and that ground is connected.</source>
         <translation>An {0} antwortet kein Aracna. Während einer Bewegung hört er nicht zu: Falls er sich bewegt, warten Sie, bis er stillsteht. Prüfen Sie, ob das Board des Roboters Strom hat, ob TX des Adapters mit dessen RX und RX mit dessen TX verbunden ist (oder ob beide Funkmodule auf demselben Kanal sind) und ob Masse verbunden ist.</translation></message>
     <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else arrives. The adapter's TX and RX are joined; an Aracna never echoes.</source>
         <translation>An {0} antwortet kein Aracna: Alles Gesendete kommt zurück, und sonst nichts. TX und RX des Adapters sind verbunden; ein Aracna sendet nie ein Echo.</translation></message>
-    <message><source>An Aracna on {0} reports its start, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
+    <message><source>An Aracna on {0} reports that it has started, but does not respond afterwards. It may be restarting repeatedly. Check its power supply.</source>
         <translation>Ein Aracna an {0} meldet, dass er startet, antwortet danach aber nicht. Vielleicht startet er immer wieder neu: Prüfen Sie seine Stromversorgung.</translation></message>
-    <message><source>Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX at another baud rate, or interference on the line.</source>
+    <message><source>A reply arrived on {0}, but not from an Aracna: {1}. The cause may be another device, perhaps a TReX at another baud rate, or interference on the line.</source>
         <translation>An {0} antwortet etwas, aber nicht wie ein Aracna: {1}. Ein anderes Gerät, vielleicht ein TReX mit anderer Baudrate, oder Störungen auf der Leitung.</translation></message>
-    <message><source>The robot has not replied yet; it is still being queried.</source>
+    <message><source>The robot has not replied yet. Wait until it responds, then try again.</source>
         <translation>Der Roboter hat noch nicht geantwortet; er wird noch abgefragt.</translation></message>
-    <message><source>The robot has not replied to the last command yet.</source>
+    <message><source>The robot has not yet replied to the last command.</source>
         <translation>Nur ein Befehl auf einmal: Der Roboter hat auf den letzten noch nicht geantwortet.</translation></message>
     <message><source>The robot did not reply in time.</source>
         <translation>Der Roboter hat nicht rechtzeitig geantwortet.</translation></message>
     <message><source>The reply does not match the command: {0}.</source>
         <translation>Die Antwort passt nicht zum Befehl: {0}.</translation></message>
-    <message><source>The robot is waiting for motor {0} and reads nothing until it responds.</source>
+    <message><source>The robot is waiting for motor {0} and reads no commands until this motor responds.</source>
         <translation>Der Roboter wartet auf Motor {0} und liest nichts, bis dieser reagiert.</translation></message>
     <message><source>The robot is stuck: nothing was sent.</source>
         <translation>Der Roboter hängt: Es wurde nichts gesendet.</translation></message>
@@ -393,7 +393,7 @@
         <translation>Kein Motor hat seine Geschwindigkeit angenommen. Prüfen Sie die Servoversorgung.</translation></message>
     <message><source>The robot did not confirm its speeds, so no motor was moved. {0}</source>
         <translation>Der Roboter hat seine Geschwindigkeiten nicht bestätigt, daher wurde kein Motor bewegt. {0}</translation></message>
-    <message><source>{0} The motor is blocked, or servo power was off. The sequence does not continue by itself.</source>
+    <message><source>{0} The motor is blocked, or servo power was off. Remove the cause, then play the sequence again.</source>
         <translation>{0} Er ist blockiert, oder die Servoversorgung war aus. Die Sequenz wird nicht von selbst fortgesetzt.</translation></message>
     <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
         <translation>Motor {0} steht auf {1}, {2} von seinem Ziel {3} entfernt.</translation></message>
@@ -403,7 +403,7 @@
         <translation>Eine Sequenz läuft: Stoppen Sie sie zuerst.</translation></message>
     <message><source>A newer request replaced this one.</source>
         <translation>Ein neuerer Auftrag hat diesen ersetzt.</translation></message>
-    <message><source>Stopped before it was sent.</source>
+    <message><source>Stopped before the command was sent.</source>
         <translation>Vor dem Senden gestoppt.</translation></message>
     <message><source>The robot's board has restarted.</source>
         <translation>Das Board des Roboters wurde neu gestartet.</translation></message>
@@ -411,7 +411,7 @@
         <translation>An diesem Port antwortet jetzt ein anderer Roboter.</translation></message>
     <message><source>The robot stopped responding.</source>
         <translation>Der Roboter antwortet nicht mehr.</translation></message>
-    <message><source>The connection was closed before this was complete.</source>
+    <message><source>The connection was closed before the request was complete.</source>
         <translation>Die Verbindung wurde geschlossen, bevor dies erledigt war.</translation></message>
     <message><source>Internal error in the connection: {0}</source>
         <translation>Interner Fehler in der Verbindung: {0}</translation></message>
@@ -431,7 +431,7 @@
         <translation>Die Sequenz wurde abgebrochen: Ein Motor war weit von seinem Ziel entfernt.</translation></message>
     <message><source>The sequence was aborted: the robot does not respond.</source>
         <translation>Die Sequenz wurde abgebrochen: Der Roboter antwortet nicht.</translation></message>
-    <message><source>A robot with {0} motors cannot play this.</source>
+    <message><source>A robot with {0} motors cannot play this sequence.</source>
         <translation>Ein Roboter mit {0} Motoren kann das nicht abspielen.</translation></message>
     <message><source>query version and motors</source>
         <translation>Version und Motoren abfragen</translation></message>
@@ -441,7 +441,7 @@
         <translation>die Debug-LED ausschalten</translation></message>
     <message><source>end an unfinished line in the robot's buffer</source>
         <translation>eine unvollständige Zeile im Puffer des Roboters abschließen</translation></message>
-    <message><source>not a command of an Aracna</source>
+    <message><source>not an Aracna command</source>
         <translation>kein Befehl eines Aracna</translation></message>
     <message><source>the robot has started and is busy for a second</source>
         <translation>der Roboter ist gestartet, eine Sekunde lang beschäftigt</translation></message>
@@ -473,7 +473,7 @@
         <translation>Geschwindigkeiten {0}</translation></message>
     <message><source>at {0}</source>
         <translation>steht auf {0}</translation></message>
-    <message><source>not a reply of an Aracna: {0}</source>
+    <message><source>not a reply from an Aracna: {0}</source>
         <translation>keine Antwort eines Aracna: {0}</translation></message>
     <message><source>incomplete line: {0}</source>
         <translation>unvollständige Zeile: {0}</translation></message>
@@ -481,11 +481,11 @@
         <translation>{0} Motoren</translation></message>
     <message><source>followed by {0}</source>
         <translation>gefolgt von {0}</translation></message>
-    <message><source>This share of the bytes is corrupted in both directions; the protocol does not detect this, and a corrupted command may restart the firmware</source>
+    <message><source>Percentage of bytes that are corrupted, in both directions. The protocol does not detect corrupted bytes, and a corrupted command may restart the firmware.</source>
         <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; dieses Protokoll erkennt das nicht, und ein verfälschter Befehl kann die Firmware neu starten</translation></message>
     <message><source>A command that loses a byte may have too few values, which restarts the firmware</source>
         <translation>Ein verlorenes Byte eines Befehls kann zu wenige Werte darin lassen; das startet die Firmware neu</translation></message>
-    <message><source>The only way to stop a motion: the protocol has no stop command.</source>
+    <message><source>To stop a motion, switch off the servo power: the protocol has no stop command.</source>
         <translation>Die einzige Möglichkeit, eine Bewegung zu stoppen: Das Protokoll hat keinen Stoppbefehl.</translation></message>
     <message><source>The debug LED; it blinks while the firmware boots</source>
         <translation>Die Debug-LED; sie blinkt, während die Firmware startet</translation></message>
@@ -493,13 +493,13 @@
         <translation>Versorgung</translation></message>
     <message><source>Robot on</source>
         <translation>Roboter ein</translation></message>
-    <message><source>The robot's own switch: board and servos</source>
+    <message><source>The robot's power switch, for board and servos</source>
         <translation>Der Schalter des Roboters selbst: Board und Servos</translation></message>
     <message><source>Restart board</source>
         <translation>Board neu starten</translation></message>
     <message><source>Servo power</source>
         <translation>Servoversorgung</translation></message>
-    <message><source>Power of the servos only: without it they stop, go limp and lose their speeds; the firmware waits for them</source>
+    <message><source>Power of the servos only. Without power, the servos stop, go limp and lose their speeds, and the firmware waits for them.</source>
         <translation>Nur die Versorgung der Servos: Ohne sie stoppen sie, halten nichts und verlieren ihre Geschwindigkeiten; die Firmware wartet auf sie</translation></message>
     <message><source>Dead</source>
         <translation>Tot</translation></message>
@@ -513,7 +513,7 @@
         <translation>Kabel</translation></message>
     <message><source>Plugged in</source>
         <translation>Eingesteckt</translation></message>
-    <message><source>Unplugged, the port disappears; a running motion continues to its goal</source>
+    <message><source>When the cable is unplugged, the port disappears, but a running motion continues to its goal</source>
         <translation>Ausgesteckt: Der Port verschwindet; eine laufende Bewegung geht bis zu ihrem Ziel weiter</translation></message>
     <message><source>Moving indefinitely: waiting for a servo that is blocked or dead.</source>
         <translation>Bewegt sich endlos: Wartet auf ein Servo, das blockiert oder tot ist.</translation></message>
@@ -531,7 +531,7 @@
         <translation>LED: blinkt</translation></message>
     <message><source>Robot switched on</source>
         <translation>Roboter eingeschaltet</translation></message>
-    <message><source>The reset line: the firmware restarts, the servos continue to their goals</source>
+    <message><source>Reset the board: the firmware restarts, but the servos continue to their goals</source>
         <translation>Die Reset-Leitung: Die Firmware startet neu, die Servos bewegen sich weiter zu ihren Zielen</translation></message>
     <message><source>{0}: real position</source>
         <translation>{0}: wirkliche Position</translation></message>
@@ -541,29 +541,29 @@
         <translation>Die Rückleitung ist unterbrochen: Der Roboter führt Befehle aus, es kommt keine Antwort an</translation></message>
     <message><source>Moving indefinitely: waiting for servos that have no power.</source>
         <translation>Bewegt sich endlos: Wartet auf Servos, die keine Versorgung haben.</translation></message>
-    <message><source>The power is off: no reply, and no servo holds.</source>
+    <message><source>The power is off: the robot does not reply, and no servo holds its position.</source>
         <translation>Die Versorgung ist aus: keine Antwort, und kein Servo hält.</translation></message>
     <message><source>Booting: blinks for a second and reads nothing.</source>
         <translation>Startet: Blinkt eine Sekunde lang und liest nichts.</translation></message>
     <message><source>Idle: waiting for commands.</source>
         <translation>Untätig: Wartet auf Befehle.</translation></message>
-    <message><source>Setting speeds: reading them back from the servos.</source>
+    <message><source>Setting speeds and reading them back from the servos.</source>
         <translation>Setzt Geschwindigkeiten: Liest sie aus den Servos zurück.</translation></message>
     <message><source>Moving: reads nothing until every servo has arrived.</source>
         <translation>Bewegt sich: Liest nichts, bis jedes Servo angekommen ist.</translation></message>
     <message><source>The robot's switch is off: board and servos have no power.</source>
         <translation>Der Schalter des Roboters ist aus: Board und Servos haben keine Versorgung.</translation></message>
-    <message><source>Off: no servo moves, holds or replies.</source>
+    <message><source>Servo power is off: no servo moves, holds its position or replies.</source>
         <translation>Aus: Kein Servo bewegt sich, hält oder antwortet.</translation></message>
     <message><source>dead</source>
         <translation>tot</translation></message>
-    <message><source>How often the firmware has started</source>
+    <message><source>Number of times that the firmware has started</source>
         <translation>Wie oft die Firmware gestartet ist</translation></message>
-    <message><source>Every servo works and is free to move, the line is quiet, everything is switched on</source>
+    <message><source>Repair and free every servo, clear all line faults, and switch everything on</source>
         <translation>Servos intakt, frei und unbelastet, Leitung ungestört, alles eingeschaltet</translation></message>
-    <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
+    <message><source>{0} does not respond, as if it were unplugged: its speed reads as −1, and a move waits indefinitely</source>
         <translation>{0} reagiert nicht, wie ausgesteckt: Geschwindigkeiten werden als −1 gelesen, und eine Bewegung wartet endlos darauf</translation></message>
-    <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
+    <message><source>{0} is blocked: it remains “moving”, and the firmware waits</source>
         <translation>Etwas blockiert {0}: Es bleibt „in Bewegung“, und die Firmware wartet</translation></message>
     <message><source>Simulated loss</source>
         <translation>Zu simulierender Verlust</translation></message>
@@ -583,7 +583,7 @@
         <translation>Antwortbyte</translation></message>
     <message><source>Command byte</source>
         <translation>Befehlsbyte</translation></message>
-    <message><source>Reply: end</source>
+    <message><source>End of reply</source>
         <translation>Antwort: Ende</translation></message>
     <message><source>holds</source>
         <translation>hält</translation></message>
@@ -593,7 +593,7 @@
         <translation>bewegt sich nach {0}</translation></message>
     <message><source>This link has no stop command: a running motion ends by itself or when the servo power is cut.</source>
         <translation>Diese Verbindung kennt keinen Stopp: Eine laufende Bewegung endet nur von selbst oder durch Trennen der Servoversorgung.</translation></message>
-    <message><source>End the sequence and send nothing more; the robot stays where it is (Esc, anywhere)</source>
+    <message><source>End the sequence and send nothing more. A running motion continues to its goal. (Esc, anywhere)</source>
         <translation>Die Sequenz beenden, nichts mehr senden, den Roboter dort lassen, wo er ist (Esc, überall)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Nach diesem Schritt &amp;beenden</translation></message>
@@ -671,7 +671,7 @@
         <translation>Zeit</translation></message>
     <message><source>Remarks</source>
         <translation>Bemerkungen</translation></message>
-    <message><source>No steps yet. Add one: it uses the current pose.</source>
+    <message><source>No steps yet. “Add step” adds a step with the current pose.</source>
         <translation>Noch keine Schritte. Fügen Sie einen hinzu: Er verwendet die aktuelle Pose.</translation></message>
     <message><source>Milliseconds of step {0}</source>
         <translation>Millisekunden von Schritt {0}</translation></message>
@@ -717,11 +717,11 @@
         <translation>0: wiederholen, bis gestoppt wird.</translation></message>
     <message><source> %</source>
         <translation> %</translation></message>
-    <message><source>Also takes effect while playing, from the next step. At 50 %, each step takes twice as long.</source>
+    <message><source>Changes during playback take effect from the next step. At 50 %, each step takes twice as long.</source>
         <translation>Auch während des Abspielens, ab dem nächsten Schritt. 50 %: Jeder Schritt dauert doppelt so lange.</translation></message>
-    <message><source>First move slowly to the start, in 3 s.</source>
+    <message><source>Move slowly to the start first, in 3 s.</source>
         <translation>Zuerst langsam, in 3 s, zum Start gehen.</translation></message>
-    <message><source>At the end move slowly to the pose “stand”, in 3 s.</source>
+    <message><source>At the end, move slowly to the pose “stand”, in 3 s.</source>
         <translation>Am Ende langsam, in 3 s, in die Pose „stand“ gehen.</translation></message>
     <message><source>Select a sequence or a gait to play it.</source>
         <translation>Wählen Sie eine Sequenz oder eine Gangart, um sie abzuspielen.</translation></message>
@@ -741,7 +741,7 @@
         <translation>nicht definiert</translation></message>
     <message><source>Cannot play: {0}.</source>
         <translation>Abspielen nicht möglich: {0}.</translation></message>
-    <message><source>The robot's position is known after its first move.</source>
+    <message><source>The robot's position is unknown until its first move.</source>
         <translation>Die Position des Roboters ist nach seiner ersten Bewegung bekannt.</translation></message>
     <message><source>No poses. Capture the robot's position, or open a pose file.</source>
         <translation>Keine Posen. Nehmen Sie die Position des Roboters auf oder öffnen Sie eine Posendatei.</translation></message>
@@ -761,7 +761,7 @@
         <translation>Position von Motor {0} in dieser Pose</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
         <translation>Motor {0}: {1:.0f}°, Grenzen {2} bis {3}, gesendet als {4}</translation></message>
-    <message><source>Requests: {0}, of which without a reply: {1}.</source>
+    <message><source>Requests: {0}. Requests without a reply: {1}.</source>
         <translation>Anfragen: {0}, ohne Antwort: {1}.</translation></message>
     <message><source>Answered</source>
         <translation>Beantwortet</translation></message>
@@ -805,7 +805,7 @@
         <translation>Geschwindigkeit</translation></message>
     <message><source>goal</source>
         <translation>Ziel</translation></message>
-    <message><source>the servo holds {0}</source>
+    <message><source>last speed reported by the servo: {0}</source>
         <translation>das Servo hat {0}</translation></message>
     <message><source>Leg*</source>
         <translation>Bein*</translation></message>
@@ -827,7 +827,7 @@
         <translation>Bis</translation></message>
     <message><source>The positions of the motors are unknown.</source>
         <translation>Die Motorpositionen sind unbekannt.</translation></message>
-    <message><source>This robot reports them only in its reply to a move.</source>
+    <message><source>This robot reports positions only in its reply to a move.</source>
         <translation>Dieser Roboter meldet sie nur in seiner Antwort auf eine Bewegung.</translation></message>
     <message><source>The first move runs at speed {0} ({1}) unless you set other speeds.</source>
         <translation>Die erste läuft mit Geschwindigkeit {0} ({1}), falls Sie keine anderen Geschwindigkeiten wählen.</translation></message>
@@ -861,13 +861,13 @@
         <translation>Grenzen statt Geschwindig&amp;keiten</translation></message>
     <message><source>Speed &amp;of all:</source>
         <translation>Geschwi&amp;ndigkeit aller:</translation></message>
-    <message><source>Goals and limits can be set already.</source>
+    <message><source>Goals and limits can already be set.</source>
         <translation>Ziele und Grenzen lassen sich schon einstellen.</translation></message>
     <message><source>Every motor has reached its goal within a few units.</source>
         <translation>Jeder Motor hat sein Ziel bis auf wenige Einheiten erreicht.</translation></message>
-    <message><source>The newest goal is sent as soon as the robot has reached the last one</source>
+    <message><source>The newest goal is sent as soon as the robot has reached the previous goal</source>
         <translation>Das neueste Ziel wird gesendet, sobald der Roboter das letzte erreicht hat</translation></message>
-    <message><source>How far each joint may turn; goals are clamped before sending</source>
+    <message><source>Range of each joint. Goals outside this range are clamped before they are sent.</source>
         <translation>Wie weit sich jedes Gelenk drehen darf; Ziele werden vor dem Senden begrenzt</translation></message>
     <message><source>differ</source>
         <translation>verschieden</translation></message>
@@ -879,7 +879,7 @@
         <translation>ein Roboter</translation></message>
     <message><source>Demo Aracna</source>
         <translation>Demo-Aracna</translation></message>
-    <message><source>a pose file of an Aracna</source>
+    <message><source>an Aracna pose file</source>
         <translation>eine Posendatei eines Aracna</translation></message>
     <message><source>&amp;Aracna</source>
         <translation>&amp;Aracna</translation></message>
@@ -925,7 +925,7 @@
         <translation>Bedienfeld des &amp;Demo-Aracna</translation></message>
     <message><source>Connect my {0}</source>
         <translation>Meinen {0} verbinden</translation></message>
-    <message><source>Connect an FTDI cable to the header or plug an XBee radio into the socket: both share one line. Switch on the servo power as well; without it the first move never ends.</source>
+    <message><source>Connect an FTDI cable to the header or plug an XBee radio into the socket: both share one line. Switch on the servo power as well. Without servo power, the first move never ends.</source>
         <translation>Ein FTDI-Kabel an der Stiftleiste oder ein XBee-Funkmodul im Sockel: Beide teilen sich eine Leitung. Schalten Sie auch die Servoversorgung ein, ohne die die erste Bewegung nie endet.</translation></message>
     <message><source>Open pose fi&amp;le…</source>
         <translation>Po&amp;sendatei öffnen…</translation></message>
@@ -2563,10 +2563,12 @@
         <translation>Merge-Schlüssel (&lt;&lt;) sind nicht erlaubt; {0}</translation></message>
     <message><source>From the first setpoint until braking.</source>
         <translation>Vom ersten Sollwert bis zum Bremsen.</translation></message>
-    <message><source>Runs the test while it is held, with the mouse or the space bar</source>
+    <message><source>Runs the test while you hold the button with the mouse or the space bar</source>
         <translation>Führt den Prüflauf aus, solange sie mit der Maus oder der Leertaste gehalten wird</translation></message>
     <message><source>Test to compare with</source>
         <translation>Prüflauf zum Vergleichen</translation></message>
+    <message><source>Open a saved test</source>
+        <translation>Gespeicherten Prüflauf öffnen</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
@@ -2589,7 +2591,7 @@
         <translation>Gedrückt halten: Motor läuft</translation></message>
     <message><source>Motor {0} is running: {1:.1f} of {2:g} s.</source>
         <translation>Motor {0} läuft: {1:.1f} von {2:g} s.</translation></message>
-    <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
+    <message><source>Armed. Hold the button to run the motor. The motor stops when you release the button.</source>
         <translation>Freigegeben. Halten Sie die Schaltfläche gedrückt: Der Motor läuft nur, solange sie gehalten wird.</translation></message>
     <message><source>Peak current</source>
         <translation>Spitzenstrom</translation></message>
@@ -2597,7 +2599,7 @@
         <translation>Der höchste Messwert.</translation></message>
     <message><source>Steady current</source>
         <translation>Stationärer Strom</translation></message>
-    <message><source>At the end of the first constant speed.</source>
+    <message><source>At the end of the first phase at constant speed.</source>
         <translation>Am Ende der ersten konstanten Geschwindigkeit.</translation></message>
     <message><source>Mean current</source>
         <translation>Mittlerer Strom</translation></message>
@@ -2605,16 +2607,14 @@
         <translation>Ladung</translation></message>
     <message><source>Setpoint to current</source>
         <translation>Sollwert bis Strom</translation></message>
-    <message><source>Until the first reading of two counts, including the delays of the line, the board and its measurement.</source>
+    <message><source>Time until the first reading of at least two counts. It includes the delays of the line, the board and the measurement.</source>
         <translation>Bis zum ersten Messwert von zwei Counts: die Leitung, das Board und seine Messung.</translation></message>
-    <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
+    <message><source>Time until the current stayed within this percentage of the steady current, or within two counts of the steady current.</source>
         <translation>Bis der Strom innerhalb dieses Anteils am stationären Strom blieb, oder innerhalb von zwei Counts um ihn.</translation></message>
     <message><source>Figures of the test</source>
         <translation>Kennwerte des Prüflaufs</translation></message>
     <message><source>&amp;Bench test…</source>
         <translation>&amp;Prüflauf…</translation></message>
-    <message><source>Open a saved test</source>
-        <translation>Gespeicherten Prüflauf öffnen</translation></message>
     <message><source>Compar&amp;e with</source>
         <translation>&amp;Vergleichen mit</translation></message>
     <message><source>Save bench test</source>
@@ -2639,10 +2639,14 @@
         <translation>Gespeichert als {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
-    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, briefly, the limit.</source>
+    <message><source>“Accelerate” uses the board's acceleration, brake duration and current limit. “Set at once” bypasses the acceleration and the brake duration, and briefly the current limit.</source>
         <translation>„Beschleunigen“ nutzt Beschleunigung, Bremsdauer und Stromgrenze des Boards; „Sofort setzen“ umgeht die ersten beiden und kurzzeitig auch die Grenze.</translation></message>
-    <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
+    <message><source>A single reading above this current stops and disarms all motors. A motor draws the most current when it starts.</source>
         <translation>Schon ein Messwert darüber stoppt und sperrt alle Motoren. Beim Anlaufen zieht ein Motor den höchsten Strom.</translation></message>
+    <message><source>Abort also at the board's current &amp;limit</source>
+        <translation>Auch an der Stromgrenze des &amp;Boards abbrechen</translation></message>
+    <message><source>Stop when the board reports that its own current limit was exceeded.</source>
+        <translation>Stoppt, wenn das Board meldet, dass seine eigene Stromgrenze überschritten wurde.</translation></message>
     <message><source>1 to {0}, full speed</source>
         <translation>1 bis {0}, volle Geschwindigkeit</translation></message>
     <message><source>Connect to a board to see its settings.</source>
@@ -2661,8 +2665,6 @@
         <translation>&amp;Gesendet als</translation></message>
     <message><source>Abort &amp;above</source>
         <translation>Abbr&amp;uch über</translation></message>
-    <message><source>Abort at the board's &amp;limit, too</source>
-        <translation>Auch an der Stromgrenze des &amp;Boards abbrechen</translation></message>
     <message><source>1 to {0}, the speed ceiling of the Motors page</source>
         <translation>1 bis {0}, die Höchstgeschwindigkeit der Seite „Motoren“</translation></message>
     <message><source>R&amp;ises in</source>
@@ -2671,6 +2673,8 @@
         <translation>&amp;Periode</translation></message>
     <message><source>Appl&amp;y…</source>
         <translation>&amp;Anwenden…</translation></message>
+    <message><source>Review and write all pending edits, including these</source>
+        <translation>Alle ausstehenden Änderungen prüfen und schreiben, auch diese</translation></message>
     <message><source> s</source>
         <translation> s</translation></message>
     <message><source>Step: at once</source>
@@ -2689,10 +2693,6 @@
         <translation>Beschleunigen</translation></message>
     <message><source> A</source>
         <translation> A</translation></message>
-    <message><source>Stop when the board reports that its own current limit was exceeded.</source>
-        <translation>Stoppt, wenn das Board meldet, dass seine eigene Stromgrenze überschritten wurde.</translation></message>
-    <message><source>Review and write all pending edits, these included</source>
-        <translation>Alle ausstehenden Änderungen prüfen und schreiben, auch diese</translation></message>
     <message><source>Limit P</source>
         <translation>P der Stromgrenze</translation></message>
     <message><source>Se&amp;t at once</source>
@@ -2703,11 +2703,11 @@
         <translation>Nicht angewendet: {0}</translation></message>
     <message><source>{0} (stored: {1})</source>
         <translation>{0} (gespeichert: {1})</translation></message>
-    <message><source>The table of figures has the results as numbers.</source>
+    <message><source>The table contains the results as numbers.</source>
         <translation>Die Tabelle der Kennwerte enthält die Ergebnisse als Zahlen.</translation></message>
-    <message><source>Speed setpoint, against time</source>
+    <message><source>Speed setpoint against time</source>
         <translation>Geschwindigkeitssollwert über der Zeit</translation></message>
-    <message><source>Current drawn, against time</source>
+    <message><source>Motor current against time</source>
         <translation>Stromaufnahme über der Zeit</translation></message>
     <message><source>Setpoint</source>
         <translation>Sollwert</translation></message>
@@ -2755,7 +2755,7 @@
         <translation>Parallelbetrieb: ein Motor</translation></message>
     <message><source>RS-232 (everything sent comes back)</source>
         <translation>RS-232 (alles Gesendete kommt zurück)</translation></message>
-    <message><source>this firmware runs at half of this baud rate</source>
+    <message><source>this firmware runs at half this baud rate</source>
         <translation>diese Firmware läuft mit der halben Baudrate</translation></message>
     <message><source>None since {0}.</source>
         <translation>Keine seit {0}.</translation></message>
@@ -2809,7 +2809,7 @@
         <translation>RC</translation></message>
     <message><source>Analog</source>
         <translation>Analog</translation></message>
-    <message><source>channel 5 hands over</source>
+    <message><source>channel 5 selects serial</source>
         <translation>Kanal 5 übergibt</translation></message>
     <message><source>Channel {0}: {1}</source>
         <translation>Kanal {0}: {1}</translation></message>
@@ -2827,13 +2827,15 @@
         <translation>noch nicht abgefragt</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
-    <message><source>Find the boards of all device numbers; nothing is changed</source>
+    <message><source>Search for boards at all device numbers. No settings change</source>
         <translation>Für jede Gerätenummer abfragen, welches Board sie hat; es wird nichts geändert</translation></message>
     <message><source>Give the selected board another device number</source>
         <translation>Dem ausgewählten Board eine andere Gerätenummer geben</translation></message>
     <message><source>Drive several boards as one robot, with one pad and one Stop</source>
         <translation>Mehrere Boards als einen Roboter fahren, mit einem Feld und einem Stopp</translation></message>
-    <message><source>The line is first searched for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be found. Then a snapshot is saved, and the new number takes effect at once.</source>
+    <message><source>Drive alone</source>
+        <translation>Allein fahren</translation></message>
+    <message><source>The line is first searched for the new number. If another board has this number, nothing is written. A board that is off or uses other serial settings cannot be found. If the number is free, a snapshot is saved and the new number is written. It takes effect at once.</source>
         <translation>Vor dem Schreiben wird die Leitung nach der neuen Nummer abgefragt: Hat ein anderes Board sie, wird nichts geschrieben. Ein ausgeschaltetes Board oder eines mit anderen seriellen Einstellungen kann nicht bemerkt werden. Die neue Nummer gilt sofort; vorher wird eine Sicherungskopie gespeichert.</translation></message>
     <message><source>Progress of the search</source>
         <translation>Fortschritt der Suche</translation></message>
@@ -2845,15 +2847,13 @@
         <translation>Nummer ändern…</translation></message>
     <message><source>Drive together…</source>
         <translation>Gemeinsam fahren…</translation></message>
-    <message><source>Drive alone</source>
-        <translation>Allein fahren</translation></message>
     <message><source>Boards on this line</source>
         <translation>Boards an dieser Leitung</translation></message>
-    <message><source>It replied before. Check its power and its wires.</source>
+    <message><source>The board replied before. Check its power and its wires.</source>
         <translation>Es hat schon geantwortet. Prüfen Sie seine Stromversorgung und seine Leitungen.</translation></message>
-    <message><source>Several boards seem to have this number. Switch off all but one, and give that board its own number.</source>
+    <message><source>More than one board seems to have this number. Switch off all of them except one, and give that board a different number.</source>
         <translation>Mehrere Boards scheinen diese Nummer zu haben. Schalten Sie alle bis auf eines aus und geben Sie diesem eine eigene Nummer.</translation></message>
-    <message><source>The board has this number already.</source>
+    <message><source>The board already has this number.</source>
         <translation>Das Board hat diese Nummer schon.</translation></message>
     <message><source>armed</source>
         <translation>freigegeben</translation></message>
@@ -2907,11 +2907,11 @@
         <translation>nicht versucht</translation></message>
     <message><source>Changes</source>
         <translation>Änderungen</translation></message>
-    <message><source>The checked boards get these settings one after another, each after a snapshot. Each board keeps its device number and its serial settings. Writing ends at the first error.</source>
+    <message><source>The settings are written to the checked boards one after another. A snapshot of each board is saved first. Each board keeps its device number and its serial settings. Writing stops at the first error.</source>
         <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherungskopie. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
     <message><source>Close</source>
         <translation>Schließen</translation></message>
-    <message><source>Ended because Stop was pressed.</source>
+    <message><source>Writing ended because Stop was pressed.</source>
         <translation>„Motoren stoppen“ wurde gedrückt; das hat die Arbeit beendet.</translation></message>
     <message numerus="yes"><source>Written to %n board(s).</source>
         <translation><numerusform>Auf %n Board geschrieben.</numerusform><numerusform>Auf %n Boards geschrieben.</numerusform></translation></message>
@@ -2923,13 +2923,13 @@
         <translation><numerusform>%n Board ausgelassen; siehe Spalte „Ergebnis“.</numerusform><numerusform>%n Boards ausgelassen; siehe Spalte „Ergebnis“.</numerusform></translation></message>
     <message><source>Board {0}</source>
         <translation>Board {0}</translation></message>
-    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
+    <message><source>{0}: beyond a limit that no document confirms (inferred). The board may reject the value or store a different value.</source>
         <translation>{0}: jenseits einer Grenze, die kein Dokument bestätigt (erschlossen). Das Board entscheidet: Es lehnt den Wert vielleicht ab oder speichert einen anderen.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>&amp;Trotzdem schreiben</translation></message>
     <message><source>{0}, firmware {1}</source>
         <translation>{0}, Firmware {1}</translation></message>
-    <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
+    <message><source>The file is for a {0}, and the board is a {1}. Checked changes become edits.</source>
         <translation>Für einen {0}; das Board ist ein {1}. Werte mit Häkchen werden als Änderungen übernommen.</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending. Review them, then write.</source>
         <translation><numerusform>{0}: %n Änderung steht an; prüfen Sie sie, um sie zu schreiben.</numerusform><numerusform>{0}: %n Änderungen stehen an; prüfen Sie sie, um sie zu schreiben.</numerusform></translation></message>
@@ -2937,7 +2937,7 @@
         <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n Einstellung weicht ab, {0} gleich.</numerusform><numerusform>%n Einstellungen weichen ab, {0} gleich.</numerusform></translation></message>
-    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
+    <message><source>Opens the converted settings as a new file with the same comments. {0} is not changed.</source>
         <translation>Öffnet die konvertierten Einstellungen als neue Datei, mit den Kommentaren dieser Datei. {0} bleibt, wie sie ist.</translation></message>
     <message><source>&amp;Convert</source>
         <translation>&amp;Konvertieren</translation></message>
@@ -2951,7 +2951,7 @@
         <translation>Konvertieren &amp;für:</translation></message>
     <message><source>Board, as shown</source>
         <translation>Board, wie angezeigt</translation></message>
-    <message><source>Not in the file, so they stay as they are: {0}.</source>
+    <message><source>Not in the file and therefore unchanged: {0}.</source>
         <translation>Nicht in der Datei und daher unverändert: {0}.</translation></message>
     <message><source>Convert {0}</source>
         <translation>{0} konvertieren</translation></message>
@@ -2967,13 +2967,13 @@
         <translation><numerusform>%n Wert aus {0} kopiert.</numerusform><numerusform>%n Werte aus {0} kopiert.</numerusform></translation></message>
     <message><source>For a {0}</source>
         <translation>Für einen {0}</translation></message>
-    <message><source>Resets every parameter with the board's own command, at its next start</source>
+    <message><source>Resets every parameter with the board's own reset command when the board next starts</source>
         <translation>Setzt alle Parameter durch den Befehl des Boards zurück, bei seinem nächsten Start</translation></message>
     <message><source>&amp;Let the board reset itself…</source>
         <translation>Das Board sich selbst &amp;zurücksetzen lassen…</translation></message>
-    <message><source>At its next start the board will reset every parameter, including those cleared here. Its current settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
+    <message><source>At its next start the board will reset every parameter, including the unchecked ones. The current settings of the board are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
         <translation>Bei seinem nächsten Start setzt das Board alle Parameter zurück, auch die hier abgewählten. Seine jetzigen Einstellungen werden zuvor gesichert (Datei, Verlauf). Nicht angewendete Änderungen werden verworfen; „Rückgängig“ stellt sie wieder her.</translation></message>
-    <message><source>It would get device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+    <message><source>The board would get device number {0}, which another board on this line already has. Both would reply at the same time, and neither could be read. Give the other board a different number first.</source>
         <translation>Es erhält die Gerätenummer {0}, die ein anderes Board an dieser Leitung hat: Beide würden gleichzeitig antworten, und keine der Antworten wäre lesbar. Geben Sie jenem Board zuerst eine andere Nummer.</translation></message>
     <message numerus="yes"><source>Write %n setting(s) to the board</source>
         <translation><numerusform>%n Einstellung in das Board schreiben</numerusform><numerusform>%n Einstellungen in das Board schreiben</numerusform></translation></message>
@@ -2989,7 +2989,7 @@
         <translation>&amp;Board zurücksetzen</translation></message>
     <message><source>{0} of {1}: {2}</source>
         <translation>{0} von {1}: {2}</translation></message>
-    <message><source>{0} of {1} could not be verified; still pending.</source>
+    <message><source>{0} of {1} settings could not be verified and are still pending.</source>
         <translation>Konnte nicht bestätigt werden: {0} von {1}; noch ausstehend.</translation></message>
     <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
         <translation>Der Wert, der gerade geschrieben wurde, als die Verbindung verloren ging, kann der alte, der neue oder, nach einem Stromausfall, der Standardwert sein. Er wird erneut gelesen.</translation></message>
@@ -2997,11 +2997,11 @@
         <translation>Vorher</translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
         <translation><numerusform>%n Einstellung geschrieben und geprüft.</numerusform><numerusform>%n Einstellungen geschrieben und geprüft.</numerusform></translation></message>
-    <message><source>Saving a snapshot. Nothing is written yet.</source>
+    <message><source>Saving a snapshot. Nothing has been written yet.</source>
         <translation>Sicherungskopie wird gespeichert. Noch ist nichts geschrieben.</translation></message>
     <message><source>No board is responding. The edits are kept.</source>
         <translation>Kein Board antwortet. Die Änderungen bleiben erhalten.</translation></message>
-    <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
+    <message><source>The board will reset itself at its next start, and values written now would be lost. Switch the board off and on first (Device, Make stored settings active).</source>
         <translation>Das Board setzt sich bei seinem nächsten Start selbst zurück und würde verlieren, was jetzt geschrieben wird. Schalten Sie es zuerst aus und ein (Gerät, Gespeicherte Einstellungen aktivieren).</translation></message>
     <message><source>These calibrations stay pending until the board uses their input source again: {0}.</source>
         <translation>Diese Kalibrierungen bleiben ausstehend, bis das Board ihre Eingangsquelle wieder verwendet: {0}.</translation></message>
@@ -3031,13 +3031,13 @@
         <translation>Rot an</translation></message>
     <message><source>Running, serial commands control the motors</source>
         <translation>In Betrieb, serielle Befehle steuern die Motoren</translation></message>
-    <message><source>Compare the wires with the picture, then search with “Find”. Green lights while the board receives a command: if it never lights, nothing arrives.</source>
+    <message><source>Compare the wires with the picture, then search with “Find”. The green LED lights while the board receives a command. If it never lights, nothing arrives.</source>
         <translation>Vergleichen Sie die Verdrahtung mit dem Bild, dann suchen Sie mit „Suchen“. Grün leuchtet, während das Board einen Befehl empfängt: Leuchtet es nie, kommt nichts an.</translation></message>
     <message><source>Green on, or flashing fast</source>
         <translation>Grün an oder schnell blinkend</translation></message>
     <message><source>Running, the channels control the motors</source>
         <translation>In Betrieb, die Kanäle steuern die Motoren</translation></message>
-    <message><source>As above: the board also responds in RC and analog mode. Red lights while it receives a command. Fast flashes mean safe-start; five flashes at the start show which channels are learned.</source>
+    <message><source>Proceed as above: the board also responds in RC and analog mode. The red LED lights while the board receives a command. Fast flashes mean safe-start. Five flashes at the start show which channels are learned.</source>
         <translation>Wie oben: Das Board antwortet auch im RC- und im Analogmodus. Rot leuchtet, während es einen Befehl empfängt. Schnelles Blinken ist der Safe-Start; fünfmaliges Aufleuchten beim Einschalten zeigt, welche Kanäle eingelernt sind.</translation></message>
     <message><source>Both blink together, or both on</source>
         <translation>Beide blinken gemeinsam oder leuchten</translation></message>
@@ -3049,7 +3049,7 @@
         <translation>Rot und Grün abwechselnd</translation></message>
     <message><source>Waiting for the boot loader hand-shake</source>
         <translation>Wartet auf den Handshake des Bootloaders</translation></message>
-    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. Or go on with the hand-shake for lost serial settings.</source>
+    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. If its serial settings are lost, continue with the hand-shake instead.</source>
         <translation>Schalten Sie das Board aus, ziehen Sie Mix- und SO–G-Jumper ab und schalten Sie es ein. Oder machen Sie mit dem Handshake für verlorene serielle Einstellungen weiter.</translation></message>
     <message><source>Green flashes once a second</source>
         <translation>Grün blinkt einmal pro Sekunde</translation></message>
@@ -3071,7 +3071,7 @@
         <translation>Schalten Sie das Board ein.</translation></message>
     <message><source>Red and green alternate, about once a second.</source>
         <translation>Rot und Grün abwechselnd, etwa einmal pro Sekunde.</translation></message>
-    <message><source>Nothing: the SO–G jumper holds its line to ground.</source>
+    <message><source>Nothing: the SO–G jumper connects SO to ground.</source>
         <translation>Nichts: Der SO–G-Jumper hält seine Leitung auf Masse.</translation></message>
     <message><source>Remove the mix jumper. Leave the power on.</source>
         <translation>Ziehen Sie den Mix-Jumper ab. Lassen Sie das Board eingeschaltet.</translation></message>
@@ -3083,7 +3083,7 @@
         <translation>Der Bootloader beantwortet jedes Byte mit einem Fragezeichen. Die seriellen Einstellungen sollten jetzt die Werkseinstellungen sein.</translation></message>
     <message><source>Connect</source>
         <translation>Verbinden</translation></message>
-    <message><source>Switch the board off and on, with all three jumpers removed. Then connect at 19200 baud, without parity and CRC.</source>
+    <message><source>Switch the board off and on, with all three jumpers removed. Then connect at 19200 baud, without parity or CRC.</source>
         <translation>Schalten Sie das Board aus und ein, alle drei Jumper abgezogen. Dann verbinden Sie mit 19200 Baud, ohne Parität und CRC.</translation></message>
     <message><source>Five flashes, then red stays on.</source>
         <translation>Fünfmal Blinken, dann bleibt Rot an.</translation></message>
@@ -3091,7 +3091,7 @@
         <translation>Der TReX antwortet mit den Werkseinstellungen.</translation></message>
     <message><source>Restores the factory serial settings (inferred). If the LEDs alternate for only three seconds, start again.</source>
         <translation>Stellt die seriellen Werkseinstellungen wieder her (abgeleitet). Wenn die LEDs nur drei Sekunden lang abwechselnd leuchten, beginnen Sie neu.</translation></message>
-    <message><source>19200 baud, without parity and CRC, whatever the device number</source>
+    <message><source>Connects at 19200 baud, without parity or CRC, to any device number</source>
         <translation>19200 Baud, ohne Parität und CRC, bei jeder Gerätenummer</translation></message>
     <message><source>&amp;Connect at factory settings</source>
         <translation>&amp;Mit Werkseinstellungen verbinden</translation></message>
@@ -3127,7 +3127,7 @@
         <translation>{0} ist kein gültiger Wert. {1}</translation></message>
     <message><source>Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.</source>
         <translation>Geben Sie 0 bis {0} ein, etwa 1500 µs, 1,5 ms oder 3750 Counts.</translation></message>
-    <message><source>The nearest that the board can store is {0}.</source>
+    <message><source>The nearest value that the board can store is {0}.</source>
         <translation>Am nächsten, was das Board speichern kann, liegt {0}.</translation></message>
     <message><source>&amp;Turn</source>
         <translation>&amp;Lenken</translation></message>
@@ -3143,13 +3143,13 @@
         <translation>Die Knüppel steuern die Motoren.</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
         <translation>Safe-Start: Die Motoren warten, bis die Knüppel in Mittelstellung sind.</translation></message>
-    <message><source>Off for a second: jumpers are read, stored settings take effect</source>
+    <message><source>Switches the power off for a second. At power-up, the board reads its jumpers and activates the stored settings</source>
         <translation>Eine Sekunde lang aus: Jumper werden gelesen, gespeicherte Einstellungen wirksam</translation></message>
     <message><source>A weak battery sags when the motors start, and the board resets</source>
         <translation>Eine schwache Batterie bricht ein, wenn die Motoren anlaufen, und das Board startet neu</translation></message>
     <message><source>Hold all sticks centred, as safe-start requires</source>
         <translation>Alle Knüppel in Mittelstellung halten, wie es der Safe-Start verlangt</translation></message>
-    <message><source>The next byte reaches the board with this error; Problems counts it. Only a board with parity detects a parity error.</source>
+    <message><source>The next byte reaches the board with this error, which the Problems page counts. Only a board with parity detects a parity error.</source>
         <translation>Das nächste Byte erreicht das Board mit diesem Fehler; „Probleme“ zählt ihn. Nur ein Board mit Parität erkennt einen Paritätsfehler.</translation></message>
     <message><source>An error of the serial line that the board reports</source>
         <translation>Ein Fehler der seriellen Leitung, den das Board meldet</translation></message>
@@ -3163,7 +3163,7 @@
         <translation>Safe-Start: Die Motoren warten auf ein Signal an Eingang {0}.</translation></message>
     <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
         <translation>Safe-Start: Die Motoren warten, bis Kanal 5 keinen Vorrang mehr anfordert.</translation></message>
-    <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
+    <message><source>Resets everything: stored settings, jumpers, sticks, loads and serial line faults</source>
         <translation>Setzt alles zurück: gespeicherte Einstellungen, Jumper, Knüppel, Lasten und Störungen der Leitung</translation></message>
     <message><source>Power on</source><comment>state</comment>
         <translation>Eingeschaltet</translation></message>
@@ -3173,33 +3173,33 @@
         <translation>Aus- und einschalten</translation></message>
     <message><source>Battery</source>
         <translation>Batterie</translation></message>
-    <message><source>Move by themselves</source>
+    <message><source>Move automatically</source>
         <translation>Selbsttätig bewegen</translation></message>
     <message><source>All sticks swing slowly. A stick that you move stays where you put it.</source>
         <translation>Alle Knüppel schwingen langsam; einer, den Sie bewegen, bleibt dann stehen</translation></message>
     <message><source>Centre</source>
         <translation>Mitte</translation></message>
-    <message><source>Input {0}: {1}. A double click centres it, Delete unplugs it.</source>
+    <message><source>Input {0}: {1}. Double-click to centre the stick, or press Delete to unplug the input.</source>
         <translation>Eingang {0}: {1}. Ein Doppelklick zentriert ihn, Entf zieht ihn ab.</translation></message>
-    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
+    <message><source>If the cable is unplugged, the port disappears. Serial Timeout and UART-Error Shutdown should then stop the motors</source>
         <translation>Abgezogen verschwindet der Port: Serielles Timeout und „Abschaltung bei UART-Fehlern“ sollten die Motoren stoppen</translation></message>
-    <message><source>The mode jumper; the board reads it when power comes on</source>
+    <message><source>The mode jumper, which the board reads at power-up</source>
         <translation>Der Modus-Jumper; das Board liest ihn beim Einschalten</translation></message>
-    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
+    <message><source>The mix jumper: input 2 drives forward and input 1 turns. A change takes effect at once</source>
         <translation>Der Mix-Jumper: Eingang 2 fährt vorwärts, Eingang 1 lenkt; wirkt sofort</translation></message>
-    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
+    <message><source>Connects SO to ground. If the mix jumper is also on, the board learns the calibration of its inputs at power-up</source>
         <translation>Verbindet SO mit Masse; zusammen mit Mix lernt das Board beim nächsten Einschalten die Kalibrierung der Eingänge ein</translation></message>
     <message><source>Factory state</source>
         <translation>Werkszustand</translation></message>
     <message><source>Mode is read at power-up; Mix takes effect at once.</source>
         <translation>Der Modus wird beim Einschalten gelesen; Mix wirkt sofort.</translation></message>
-    <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
+    <message><source>The wire from SO is broken: the board executes commands, but no reply arrives</source>
         <translation>Die Leitung von SO ist unterbrochen: Das Board führt Befehle aus, keine Antwort kommt an</translation></message>
-    <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
+    <message><source>This percentage of the bytes in each direction is corrupted. CRC detects the errors</source>
         <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; CRC erkennt es</translation></message>
     <message><source>Supply</source>
         <translation>Versorgung</translation></message>
-    <message><source>Error of one byte</source>
+    <message><source>Error in one byte</source>
         <translation>Fehler eines Bytes</translation></message>
     <message><source>Corrupt one byte</source>
         <translation>Ein Byte verfälschen</translation></message>
@@ -3211,11 +3211,11 @@
         <translation>ausgesteckt</translation></message>
     <message><source>LEDs of the board</source>
         <translation>LEDs des Boards</translation></message>
-    <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
+    <message><source>Makes the driver of motor {0} shut down, as when it is hot or shorted</source>
         <translation>Der Treiber von Motor {0} schaltet sich ab, wie bei Überhitzung oder Kurzschluss</translation></message>
     <message><source>Load of motor {0}</source>
         <translation>Last von Motor {0}</translation></message>
-    <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
+    <message><source>The current that motor {0} draws at full speed. At the right end of the slider, the motor stalls, which triggers current limits and faults</source>
         <translation>Der Strom, den Motor {0} bei voller Geschwindigkeit zieht; ganz rechts blockiert der Motor, was Strombegrenzung und Treiberfehler auslöst</translation></message>
     <message><source>Load</source>
         <translation>Last</translation></message>
@@ -3225,7 +3225,7 @@
         <translation>Eingang {0}</translation></message>
     <message><source>Plug of input {0}</source>
         <translation>Stecker von Eingang {0}</translation></message>
-    <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
+    <message><source>Unplug input {0}: an RC input becomes invalid after 0.1 s</source>
         <translation>Eingang {0} abziehen: Ein RC-Eingang ist 0,1 s später ungültig</translation></message>
     <message><source>switched off</source>
         <translation>ausgeschaltet</translation></message>
@@ -3239,7 +3239,7 @@
         <translation>Übernehmen</translation></message>
     <message><source>Show line {0}</source>
         <translation>Zeile {0} zeigen</translation></message>
-    <message><source>One pad, one arming and one Stop drive these boards as one robot. A board that no longer follows stops the others.</source>
+    <message><source>These boards are armed, driven and stopped together as one robot. If one board no longer follows, the others stop.</source>
         <translation>Ein Feld, eine Freigabe und ein Stopp fahren diese Boards als einen Roboter. Ein Board, das nicht mehr folgt, stoppt die anderen.</translation></message>
     <message><source>&amp;Drive together</source>
         <translation>Gemeinsam &amp;fahren</translation></message>
@@ -3253,17 +3253,17 @@
         <translation>Board {0}, Motor {1}</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
-    <message><source>Name the snapshot (or double-click it): it is then never deleted automatically</source>
+    <message><source>Name the snapshot (or double-click it). A named snapshot is never deleted automatically</source>
         <translation>Eine mit Namen bleibt, wie viele auch folgen; auch mit Doppelklick</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
     <message><source>There are no snapshots yet.
 
-Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
+Before this program or trexcmd applies settings or restores defaults, all settings of the board are saved here. You can compare a snapshot with the board and restore some or all of its settings.</source>
         <translation>Es gibt noch keine Sicherungskopien.
 
 Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in diesem Fenster oder mit trexcmd, wird hier alles gesichert, was das Board speichert. Sie können eine Sicherungskopie mit dem Board vergleichen und ganz oder teilweise wiederherstellen.</translation></message>
-    <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
+    <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest from {0}?</source>
         <translation><numerusform>%n Sicherungskopie von {0} endgültig löschen?</numerusform><numerusform>%n Sicherungskopien endgültig löschen, die neueste von {0}?</numerusform></translation></message>
     <message><source>Search snapshots</source>
         <translation>Sicherungskopien durchsuchen</translation></message>
@@ -3283,7 +3283,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Eine Kopie wurde in {0} gespeichert.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Es wurde nichts gespeichert. {0}</translation></message>
-    <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions. Hold each end until it is ticked, then click Next.</source>
+    <message><source>Push every stick all the way forward or right first, then all the way in the other direction. Move every switch to all its positions. Hold each end position until it is ticked, then click Next.</source>
         <translation>Drücken Sie jeden Knüppel zuerst ganz nach vorn oder rechts, dann ganz in die andere Richtung. Bewegen Sie Schalter in alle Stellungen. Halten Sie jede Endlage, bis ihr Häkchen erscheint, dann klicken Sie auf „Weiter“.</translation></message>
     <message><source>This takes at least {0:.1f} s: at {1} baud only {2:.1f} measurements arrive per second.</source>
         <translation>Das dauert mindestens {0:.1f} s: Bei {1} Baud kommen nur {2:.1f} Messungen pro Sekunde an.</translation></message>
@@ -3301,7 +3301,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Kein Kanal ist ausgewählt.</translation></message>
     <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
         <translation>Das Board würde die Werte von Kanal {0} ablehnen: Ändern Sie sie, oder entfernen Sie sein Häkchen.</translation></message>
-    <message><source>Check the new values. Nothing is written yet.</source>
+    <message><source>Check the new values. Nothing has been written yet.</source>
         <translation>Prüfen Sie die neuen Werte. Noch wird nichts geschrieben.</translation></message>
     <message><source>Stop the motors</source>
         <translation>Motoren stoppen</translation></message>
@@ -3311,7 +3311,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Alle Endlagen</translation></message>
     <message><source>Review</source>
         <translation>Prüfen</translation></message>
-    <message><source>The new values are in the board. To test them, the motors must be stopped first.</source>
+    <message><source>The new values are in the board. Stop the motors to test the values.</source>
         <translation>Die neuen Werte sind im Board. Ihr Test muss zuerst die Motoren stoppen.</translation></message>
     <message><source>Sample &amp;again</source>
         <translation>Erneut &amp;messen</translation></message>
@@ -3335,7 +3335,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Die Motoren stehen still: &amp;fortfahren</translation></message>
     <message><source>Try &amp;again</source>
         <translation>&amp;Erneut versuchen</translation></message>
-    <message><source>Stopping the motors. The board has to confirm the stop.</source>
+    <message><source>Stopping the motors. The board must confirm the stop.</source>
         <translation>Die Motoren werden gestoppt. Das Board muss den Stopp bestätigen.</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Knüppel loslassen. Messung läuft … {0:.1f} s</translation></message>
@@ -3351,7 +3351,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Endlage {0}: erreicht</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Endlage {0}: nicht nötig</translation></message>
-    <message><source>Calculated from the values in the board, for each channel on its own. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end (inferred).</source>
+    <message><source>Calculated from the values in the board, separately for each channel. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end (inferred).</source>
         <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Zwei Annahmen: Ausgaben bis 8 von 127 gelten als neutral, und Schalter schalten auf halbem Weg zwischen Neutral und Ende um (erschlossen).</translation></message>
     <message><source>Hold this position …</source>
         <translation>Dort halten …</translation></message>
@@ -3371,7 +3371,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Erreicht: {0}.</translation></message>
     <message><source>at rest: {0}, noise {1}</source>
         <translation>in Ruhe: {0}, Rauschen {1}</translation></message>
-    <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
+    <message numerus="yes"><source>%n earlier pending edit(s) will also be written.</source>
         <translation><numerusform>%n frühere ausstehende Änderung wird ebenfalls geschrieben.</numerusform><numerusform>%n frühere ausstehende Änderungen werden ebenfalls geschrieben.</numerusform></translation></message>
     <message><source>Input now {0}; output {1}.</source>
         <translation>Eingang jetzt {0}; Ausgang {1}.</translation></message>
@@ -3393,7 +3393,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>vorgeschlagen</translation></message>
     <message><source>as it was</source>
         <translation>bisher</translation></message>
-    <message><source>Its new values will be used.</source>
+    <message><source>The new values of this channel will be used.</source>
         <translation>Seine neuen Werte werden verwendet.</translation></message>
     <message><source>The channel was left out.</source>
         <translation>Der Kanal wurde ausgelassen.</translation></message>
@@ -3405,7 +3405,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Jetzt kein Signal: Der Ausgang ist 0.</translation></message>
     <message><source>Nothing was learned.</source>
         <translation>Es wurde nichts eingelernt.</translation></message>
-    <message><source>Keeps its old values.</source>
+    <message><source>This channel keeps its old values.</source>
         <translation>Behält seine alten Werte.</translation></message>
     <message><source>Check this channel.</source>
         <translation>Prüfen Sie diesen Kanal.</translation></message>
@@ -3421,9 +3421,9 @@ bisher {1}</translation></message>
         <translation>{0} von Kanal {1}</translation></message>
     <message><source>These settings must match those of the board. A new board uses 19200 baud, no error detection and one stop bit. Changing them here does not change the board.</source>
         <translation>Dies müssen die Einstellungen sein, die das Board jetzt hat. Ein neues Board kommuniziert mit 19200 Baud, ohne Fehlererkennung, mit einem Stoppbit. Änderungen hier ändern nichts im Board.</translation></message>
-    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
+    <message><source>&amp;Address one board by its device number (Pololu protocol)</source>
         <translation>Eines von mehreren Boards über seine &amp;Nummer ansprechen (Pololu-Protokoll)</translation></message>
-    <message><source>Device numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If you enter any, every packet has an address, none is sent to these numbers, and no other baud rate is tried.</source>
+    <message><source>Device numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If you enter numbers, every packet has an address, no packet is sent to these numbers, and no other baud rate is tried.</source>
         <translation>Nummern anderer Geräte an dieser Leitung, etwa 0,1 (ältere Motor- und Servocontroller von Pololu). Ist eine angegeben, wird jedes Paket adressiert, an keine dieser Nummern, und keine andere Baudrate wird versucht.</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Leitung:</translation></message>
@@ -3465,7 +3465,7 @@ bisher {1}</translation></message>
         <translation>Freigabe a&amp;ufheben</translation></message>
     <message><source>A&amp;rm motors</source>
         <translation>Motoren fre&amp;igeben</translation></message>
-    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
+    <message><source>Allows both motors and the auxiliary to be driven. Nothing moves yet</source>
         <translation>Gibt beide Motoren und den Hilfsmotor zum Fahren frei; noch bewegt sich nichts</translation></message>
     <message><source>Channels control the motors: Stop does not affect them.</source>
         <translation>Die Kanäle steuern die Motoren: „Motoren stoppen“ wirkt nicht auf die Motoren.</translation></message>
@@ -3495,17 +3495,17 @@ bisher {1}</translation></message>
         <translation>Sanft nahe der Neutralstellung, steil nahe den Endlagen</translation></message>
     <message><source>I&amp;gnored</source>
         <translation>Igno&amp;riert</translation></message>
-    <message><source>Held at neutral whatever the input; for channels without a cable</source>
+    <message><source>Holds the channel at neutral regardless of its input. For channels without a cable</source>
         <translation>Bei jedem Eingang in Neutralstellung gehalten; für Kanäle ohne Kabel</translation></message>
     <message><source>Re&amp;quired in RC mode</source>
         <translation>Im RC-Modus erforder&amp;lich</translation></message>
-    <message><source>The motors stop when its pulses are missing for half a second</source>
+    <message><source>The motors stop when the pulses of this channel are missing for half a second</source>
         <translation>Die Motoren werden gestoppt, wenn die Impulse dieses Kanals eine halbe Sekunde fehlen</translation></message>
     <message><source>Read the other input source</source>
         <translation>Die andere Eingangsquelle lesen</translation></message>
     <message><source>Ma&amp;ke active…</source>
         <translation>Akti&amp;vieren…</translation></message>
-    <message><source>Its values have not been read yet.</source>
+    <message><source>The values of this input source have not been read yet.</source>
         <translation>Seine Werte wurden noch nicht gelesen.</translation></message>
     <message><source>Ne&amp;utral</source>
         <translation>&amp;Neutralstellung</translation></message>
@@ -3517,7 +3517,7 @@ bisher {1}</translation></message>
         <translation>Stand der Werte unten: {0}.</translation></message>
     <message><source>Read {0} after the next power cycle</source>
         <translation>Nach dem nächsten Aus- und Einschalten {0} lesen</translation></message>
-    <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
+    <message><source>Edited: apply the change, then power-cycle the board to read {0}.</source>
         <translation>Geändert: Wenden Sie es an, dann schalten Sie das Board aus und ein, damit es {0} liest.</translation></message>
     <message><source>Neutral</source>
         <translation>Neutralstellung</translation></message>
@@ -3563,7 +3563,7 @@ bisher {1}</translation></message>
         <translation>Die Eingänge werden als {0} gelesen. Jetzt haben serielle Befehle Vorrang.</translation></message>
     <message><source>Discard edits of channel {0}</source>
         <translation>Änderungen an Kanal {0} verwerfen</translation></message>
-    <message><source>Copy of the calibration of channel {0}</source>
+    <message><source>Copy calibration of channel {0}</source>
         <translation>Kopie der Kalibrierung von Kanal {0}</translation></message>
     <message><source>learned</source>
         <translation>eingelernt</translation></message>
@@ -3577,7 +3577,7 @@ bisher {1}</translation></message>
         <translation>Verbinden Sie ein Board, um seine Motorströme zu sehen.</translation></message>
     <message><source>Motor currents</source>
         <translation>Motorströme</translation></message>
-    <message><source>No board is connected. Select a port at the top of the main window and press Connect; without hardware, select the demo board.</source>
+    <message><source>No board is connected. Select a port at the top of the main window and press Connect. If you have no hardware, select the demo board.</source>
         <translation>Kein Board ist verbunden. Wählen Sie oben im Hauptfenster einen Port und klicken Sie auf „Verbinden“; ohne Hardware wählen Sie das Demo-Board.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Parallelbetrieb: Das Board misst keine Ströme.</translation></message>
@@ -3587,7 +3587,7 @@ bisher {1}</translation></message>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
     <message><source>Reset all counts and error times</source>
         <translation>Alle Zähler auf null setzen und vergessen, wann Fehler auftraten</translation></message>
-    <message><source>The board came back in another mode, so its power was off in the meantime. A restart in the same mode is not reported. Returned after silence: {0}.</source>
+    <message><source>A restart is detected if the board comes back in another mode, because its power was off in the meantime. A restart in the same mode is not detected. Returns after silence: {0}.</source>
         <translation>Das Board meldete sich in einem anderen Modus zurück, war also zwischendurch ohne Strom; einen Neustart im selben Modus meldet es nicht. Nach Stille zurückgekehrt: {0}.</translation></message>
     <message><source>Reset all co&amp;unts</source>
         <translation>Alle &amp;Zähler zurücksetzen</translation></message>
@@ -3595,7 +3595,7 @@ bisher {1}</translation></message>
         <translation>Lesevorgänge pro Sekunde</translation></message>
     <message><source>Connected for</source>
         <translation>Verbunden seit</translation></message>
-    <message><source>The line is noisy and has no CRC: a corrupted reply looks the same.</source>
+    <message><source>The line is noisy and has no CRC, so a corrupted reply can look like this error.</source>
         <translation>Die Leitung ist gestört und hat kein CRC: Eine verfälschte Antwort sieht genauso aus.</translation></message>
     <message><source>Latched before connecting, perhaps by a search for the board; not counted.</source>
         <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board; nicht gezählt.</translation></message>
@@ -3603,7 +3603,7 @@ bisher {1}</translation></message>
         <translation>{0}, jetzt aktiv, stoppt die Motoren</translation></message>
     <message><source>Answered, last {0:.0f} s</source>
         <translation>Beantwortet, letzte {0:.0f} s</translation></message>
-    <message><source>{0}, over</source>
+    <message><source>{0}, no longer active</source>
         <translation>{0}, vorbei</translation></message>
     <message><source>⚠ means 80 % of the limit or more.</source>
         <translation>⚠ bedeutet 80 % der Grenze oder mehr.</translation></message>
@@ -3625,7 +3625,7 @@ bisher {1}</translation></message>
         <translation>Bis {0}, der Höchstgeschwindigkeit</translation></message>
     <message><source>Hold an arrow key to drive while the pad has the focus.</source>
         <translation>Halten Sie eine Pfeiltaste, um zu fahren, solange das Fahrfeld den Fokus hat.</translation></message>
-    <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
+    <message><source>Hold Up or Down to drive. The motors cannot be driven separately.</source>
         <translation>Halten Sie „Pfeil auf“ oder „Pfeil ab“, um zu fahren; die Motoren können nicht getrennt drehen.</translation></message>
     <message><source>At rest.</source>
         <translation>In Ruhe.</translation></message>
@@ -3649,7 +3649,7 @@ bisher {1}</translation></message>
         <translation>Zuordnung</translation></message>
     <message><source>One axis drives, the other turns</source>
         <translation>Eine Achse fährt, eine lenkt</translation></message>
-    <message><source>An axis for each motor</source>
+    <message><source>One axis for each motor</source>
         <translation>Eine Achse für jeden Motor</translation></message>
     <message><source>&amp;Hold to drive</source>
         <translation>Zum &amp;Fahren halten</translation></message>
@@ -3661,9 +3661,9 @@ bisher {1}</translation></message>
         <translation>&amp;Totzone:</translation></message>
     <message><source>&amp;Expo:</source>
         <translation>&amp;Expo:</translation></message>
-    <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
+    <message><source>Without a hold button, bumping a stick drives the motors. The gamepad cannot drive while this window is open.</source>
         <translation>Ohne eine Taste zum Halten treibt ein angestoßener Knüppel die Motoren an. Mit dem Gamepad kann nicht gefahren werden, solange dieses Fenster offen ist.</translation></message>
-    <message><source>none: a moved stick drives</source>
+    <message><source>none: moving a stick drives</source>
         <translation>keine: Ein bewegter Knüppel fährt</translation></message>
     <message><source>Live state</source>
         <translation>Aktueller Zustand</translation></message>
@@ -3685,7 +3685,7 @@ bisher {1}</translation></message>
         <translation>Mit Gamepad fahren</translation></message>
     <message><source>Set &amp;up…</source>
         <translation>Ei&amp;nrichten…</translation></message>
-    <message><source>Stop behi&amp;nd other windows</source>
+    <message><source>Stop when behi&amp;nd another window</source>
         <translation>Hinter anderen Fenstern stop&amp;pen</translation></message>
     <message><source>The gamepad is being set up and cannot drive.</source>
         <translation>Das Gamepad wird eingerichtet; mit ihm kann nicht gefahren werden.</translation></message>
@@ -3693,29 +3693,29 @@ bisher {1}</translation></message>
         <translation>Mit dem Gamepad kann nur gefahren werden, solange die Seite „Motoren“ offen ist.</translation></message>
     <message><source>Another window is in front, so the gamepad cannot drive.</source>
         <translation>Ein anderes Fenster ist im Vordergrund, daher kann mit dem Gamepad nicht gefahren werden.</translation></message>
-    <message><source>Stop what the gamepad drives when the window loses the focus</source>
+    <message><source>Stop the motors that the gamepad drives when the window loses the focus</source>
         <translation>Stoppen, was das Gamepad fährt, wenn das Fenster den Fokus verliert</translation></message>
-    <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
+    <message><source>Maximum speed that this program sends to this board. Full deflection of the pad, the keys or the gamepad gives this speed. Raising the ceiling does not speed up a running motor.</source>
         <translation>Höchste Geschwindigkeit, die dieses Programm an dieses Board sendet; voller Ausschlag von Fahrfeld, Tasten und Gamepad ergibt diese Geschwindigkeit. Höher setzen macht einen laufenden Motor nicht schneller.</translation></message>
     <message><source>&amp;Speed ceiling</source>
         <translation>Höchstgeschwi&amp;ndigkeit</translation></message>
-    <message><source>Raise it once the motors turn the right way.</source>
+    <message><source>Raise the ceiling once the motors turn the right way.</source>
         <translation>Erst erhöhen, wenn die Drehrichtung stimmt.</translation></message>
-    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
+    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists. Arrow keys then no longer move the sliders. While the pad has the focus, keys always drive.</source>
         <translation>Gehaltene Tasten fahren überall auf dieser Seite, wo auch der Fokus ist, außer in Zahlenfeldern, Tabellen und Listen; Schieberegler erhalten dann keine Pfeiltasten. Im Fahrfeld fahren sie immer.</translation></message>
     <message><source>Both motors &amp;linked</source>
         <translation>Beide Motoren ge&amp;koppelt</translation></message>
     <message><source>Either slider sets both motors, so the robot does not turn</source>
         <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
-    <message><source>The motors run differently: stop both, or give both the same speed</source>
+    <message><source>The motors run at different speeds: stop both, or set both to the same speed</source>
         <translation>Die Motoren laufen verschieden: Stoppen Sie beide, oder geben Sie beiden dieselbe Geschwindigkeit</translation></message>
     <message><source>Accelerate along the board's ra&amp;mp</source>
         <translation>Mit der &amp;Rampe des Boards beschleunigen</translation></message>
     <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
         <translation>Das Board ändert Geschwindigkeiten mit einer Rampe nach der Einstellung „Beschleunigung“ und wartet vor dem Umkehren die Bremsdauer ab</translation></message>
-    <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
+    <message><source>Bypasses the ramp and the brake duration, and briefly the current limit</source>
         <translation>Umgeht Rampe und Bremsdauer, kurzzeitig auch die Strombegrenzung</translation></message>
-    <message><source>Strength of Brake, and of releasing the pad, a key or a held slider; Stop always brakes fully</source>
+    <message><source>Strength of braking with the Brake button, and after you release the pad, a key or a held slider. Stop always brakes fully</source>
         <translation>Wie stark „Bremsen“ und das Loslassen von Fahrfeld, Tasten und gehaltenen Schiebereglern bremsen; ein Stopp bremst immer voll</translation></message>
     <message><source>&amp;Brake strength</source>
         <translation>Bre&amp;msstärke</translation></message>
@@ -3727,7 +3727,7 @@ bisher {1}</translation></message>
         <translation>Beide Motoren und den Hilfsmotor stoppen, wenn eine andere Seite gezeigt oder das Fenster minimiert wird</translation></message>
     <message><source>Sliders return to &amp;zero</source>
         <translation>Regler gehen &amp;von selbst auf null</translation></message>
-    <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
+    <message><source>A slider drives its motor only while you hold the slider. Releasing the slider brakes the motor</source>
         <translation>Ein Schieberegler fährt nur, solange Sie ihn halten; Loslassen bremst seinen Motor</translation></message>
     <message><source>Drive with</source>
         <translation>Fahren mit</translation></message>
@@ -3789,9 +3789,9 @@ bisher {1}</translation></message>
         <translation>Diesen Wert &amp;versuchen</translation></message>
     <message><source>Selected parameter</source>
         <translation>Ausgewählter Parameter</translation></message>
-    <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
+    <message><source>{0}, or speed steps such as {1}. The board stores the nearest time.</source>
         <translation>{0}. Das Board speichert die nächstliegende Zeit. Oder Geschwindigkeitsstufen, etwa {1}.</translation></message>
-    <message><source>The PWM frequency is {0}, not {1}.</source>
+    <message><source>The PWM frequency must be {0}, not {1}.</source>
         <translation>Die PWM-Frequenz ist {0}, nicht {1}.</translation></message>
     <message><source>Baud rate</source>
         <translation>Baudrate</translation></message>
@@ -3807,7 +3807,7 @@ bisher {1}</translation></message>
         <translation>{0}: Kanal {1}</translation></message>
     <message><source>Search parameters</source>
         <translation>Parameter suchen</translation></message>
-    <message><source>Edit, then review. Nothing is written before that.</source>
+    <message><source>Edit, then review. Nothing is written before the review.</source>
         <translation>Ändern, dann prüfen. Vorher wird nichts geschrieben.</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Alle Parameter anzeigen</translation></message>
@@ -3833,15 +3833,15 @@ bisher {1}</translation></message>
         <translation>{0}: Die Motoren halten an.</translation></message>
     <message><source>{0}: the motors may not stop.</source>
         <translation>{0}: Die Motoren halten vielleicht nicht an.</translation></message>
-    <message><source>Speed after an accelerate command: {0}. It slows down at once.</source>
+    <message><source>Speed after an accelerate command: {0}. The motor slows down at once.</source>
         <translation>Geschwindigkeit nach einem Beschleunigungsbefehl: {0}. Langsamer wird der Motor sofort.</translation></message>
     <message><source>Reversal by an accelerate command: {0}, then the ramp.</source>
         <translation>Umkehr durch einen Beschleunigungsbefehl: {0}, dann die Rampe.</translation></message>
-    <message><source>Current of a motor that starts, limit: {0}</source>
+    <message><source>Current of a starting motor, limit: {0}</source>
         <translation>Strom eines anlaufenden Motors, Grenze: {0}</translation></message>
     <message><source>{0}: the motors keep running.</source>
         <translation>{0}: Die Motoren laufen weiter.</translation></message>
-    <message><source>Speed over the stick, brake in the deadband: {0}</source>
+    <message><source>Speed against the stick position, brake in the deadband: {0}</source>
         <translation>Geschwindigkeit über dem Knüppelweg, Bremse im Totbereich: {0}</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Ve&amp;rwerfen</translation></message>
@@ -3875,17 +3875,17 @@ bisher {1}</translation></message>
         <translation>Schalten Sie das Board für mindestens eine Sekunde aus. Warten, bis das Board nicht mehr antwortet …</translation></message>
     <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
         <translation>Das Board antwortet noch. Eine kurze Unterbrechung wird nicht erkannt: Lassen Sie es eine volle Sekunde ausgeschaltet.</translation></message>
-    <message><source>Switch it on again. Waiting for it to respond again …</source>
+    <message><source>Switch the board on again. Waiting for the board to respond …</source>
         <translation>Schalten Sie es wieder ein. Warten, bis es wieder antwortet …</translation></message>
     <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
         <translation>Das Board antwortet noch immer nicht. Prüfen Sie seine Stromversorgung und das Kabel. Wenn beides in Ordnung ist, trennen Sie die Verbindung und klicken Sie auf „Suchen…“; damit wird jede Einstellung versucht.</translation></message>
-    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
+    <message><source>The connection was closed. Switch the board off and on, then connect again. If that fails, press “Find…”, which tries every setting.</source>
         <translation>Die Leitung wurde geschlossen. Schalten Sie das Board aus und ein und verbinden Sie es dann wieder; „Suchen…“ versucht jede Einstellung.</translation></message>
-    <message><source>Connected again. The program cannot detect whether the board was switched off in the meantime: confirm it, or switch the board off and on now.</source>
+    <message><source>Connected again. The program cannot detect whether the board was switched off in the meantime. Confirm that it was, or switch the board off and on now.</source>
         <translation>Wieder verbunden. Das Programm kann nicht erkennen, ob das Board inzwischen ausgeschaltet war: Bestätigen Sie es, oder schalten Sie das Board jetzt aus und ein.</translation></message>
     <message><source>The board is back, and all stored settings are active.</source>
         <translation>Das Board ist wieder da, und alle gespeicherten Einstellungen sind aktiv.</translation></message>
-    <message><source>I have &amp;switched it off and on</source>
+    <message><source>I have &amp;switched the board off and on</source>
         <translation>Ich habe es aus- und &amp;eingeschaltet</translation></message>
     <message><source>Switch off</source>
         <translation>Ausschalten</translation></message>
@@ -3899,7 +3899,7 @@ bisher {1}</translation></message>
         <translation>Das Board ist wieder da, aber diese Einstellungen sind noch nicht aktiv: {0}.</translation></message>
     <message><source>The program then reconnects at {0}.</source>
         <translation>Das Programm verbindet sich dann neu mit {0}.</translation></message>
-    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
+    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore them as pending edits?</source>
         <translation><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellung dieses {0} ({1}). Als ausstehende Änderung wiederherstellen?</numerusform><numerusform>Zuvor geändert, aber nicht angewendet: %n Einstellungen dieses {0} ({1}). Als ausstehende Änderungen wiederherstellen?</numerusform></translation></message>
     <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
         <translation>Es werden noch Einstellungen geschrieben. Trotzdem schließen? Nicht geschriebene Einstellungen werden beim nächsten Verbinden des Boards angeboten.</translation></message>
@@ -3909,7 +3909,7 @@ bisher {1}</translation></message>
         <translation>Prüfen und anwenden…</translation></message>
     <message><source>There are unapplied changes.</source>
         <translation>Es gibt nicht angewendete Änderungen.</translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from the last applied values ({1}): lost, changed by another program, or this is another board.</source>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from the last applied values ({1}). They were lost or changed by another program, or this is another board.</source>
         <translation><numerusform>%n Einstellung dieses {0} weicht von der zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform><numerusform>%n Einstellungen dieses {0} weichen von den zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Werte des Boards behalten</translation></message>
@@ -3919,7 +3919,7 @@ bisher {1}</translation></message>
         <translation>{0} möchte fahren. Die Übergabe stoppt die Motoren.</translation></message>
     <message><source>Hand over</source>
         <translation>Übergeben</translation></message>
-    <message><source>{0} drives. Taking over stops the motors.</source>
+    <message><source>{0} is driving. Taking over stops the motors.</source>
         <translation>{0} fährt. Die Übernahme stoppt die Motoren.</translation></message>
     <message><source>Take over</source>
         <translation>Übernehmen</translation></message>
@@ -3935,15 +3935,15 @@ bisher {1}</translation></message>
         <translation>Ein neues Board: Seine Gerätenummer steht in keiner Zeile des Protokolls.</translation></message>
     <message><source>Known: its device number and its calibrations are in the record.</source>
         <translation>Bekannt: Seine Gerätenummer und seine Kalibrierungen stehen im Protokoll.</translation></message>
-    <message><source>Probably known: its device number is in the record, with other calibrations.</source>
+    <message><source>Probably known: its device number is in the record, but with other calibrations.</source>
         <translation>Vermutlich bekannt: Seine Gerätenummer steht im Protokoll, mit anderen Kalibrierungen.</translation></message>
     <message><source>skipped</source>
         <translation>übersprungen</translation></message>
     <message><source>First device number</source>
         <translation>Erste Gerätenummer</translation></message>
-    <message><source>The profile is a settings file. Each board gets its settings, a device number that no other board has, and a line in the record: a CSV file, extended if it exists.</source>
+    <message><source>The profile is a settings file. Each board gets the settings of the profile, a device number that no other board has, and a line in the record. The record is a CSV file. An existing file is extended.</source>
         <translation>Das Profil ist eine Einstellungsdatei. Jedes Board erhält ihre Einstellungen, eine Gerätenummer, die kein anderes hat, und eine Zeile im Protokoll: einer CSV-Datei, die fortgesetzt wird, wenn es sie schon gibt.</translation></message>
-    <message><source>Boards have no serial number. A board whose device number is in the record keeps it.</source>
+    <message><source>Boards have no serial number. A board whose device number is in the record keeps this number.</source>
         <translation>Boards haben keine Seriennummer. Eines, dessen Gerätenummer im Protokoll steht, behält sie.</translation></message>
     <message><source>Select…</source>
         <translation>Auswählen…</translation></message>
@@ -3951,7 +3951,7 @@ bisher {1}</translation></message>
         <translation>CSV-Dateien (*.csv);;Alle Dateien (*)</translation></message>
     <message><source>Record of the boards</source>
         <translation>Protokoll der Boards</translation></message>
-    <message><source>Boards done</source>
+    <message><source>Finished boards</source>
         <translation>Fertige Boards</translation></message>
     <message><source>{0}, device number {1}: {2}</source>
         <translation>{0}, Gerätenummer {1}: {2}</translation></message>
@@ -3965,7 +3965,7 @@ bisher {1}</translation></message>
         <translation>Dann jeden &amp;Motor drehen, solange eine Taste gehalten wird</translation></message>
     <message><source>Plug in a board, and switch it on.</source>
         <translation>Stecken Sie ein Board an und schalten Sie es ein.</translation></message>
-    <message><source>{0}: {1}. Unplug it, and plug in the next board.</source>
+    <message><source>{0}: {1}. Unplug this board, and plug in the next board.</source>
         <translation>{0}: {1}. Ziehen Sie es ab und stecken Sie das nächste Board an.</translation></message>
     <message><source>Hold each button: does its motor turn?</source>
         <translation>Halten Sie jede Taste: Dreht ihr Motor?</translation></message>
@@ -3987,7 +3987,7 @@ bisher {1}</translation></message>
         <translation>Profil für jedes Board</translation></message>
     <message><source>This board cannot be set up. Unplug it.</source>
         <translation>Dieses Board kann nicht eingerichtet werden. Ziehen Sie es ab.</translation></message>
-    <message><source>Connect to a board: use Connect or Find in the window.</source>
+    <message><source>Connect to a board: use Connect or Find in the main window.</source>
         <translation>Verbinden Sie ein Board: mit „Verbinden“ oder „Suchen“ im Hauptfenster.</translation></message>
     <message><source>&amp;Write and check</source>
         <translation>Sch&amp;reiben und prüfen</translation></message>
@@ -4001,17 +4001,17 @@ bisher {1}</translation></message>
         <translation>&amp;Erneut versuchen</translation></message>
     <message><source>The wheels are &amp;off the ground</source>
         <translation>Die Räder sind vom &amp;Boden abgehoben</translation></message>
-    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+    <message><source>Short, weak pulses while you hold the button with the mouse or the space bar</source>
         <translation>Kurze, schwache Impulse, solange Sie die Schaltfläche mit der Maus oder der Leertaste gedrückt halten</translation></message>
     <message><source>Armed. The motor turns in short, weak pulses while you hold the button.</source>
         <translation>Freigegeben. Der Motor dreht in kurzen, schwachen Impulsen, solange Sie gedrückt halten.</translation></message>
-    <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
+    <message><source>Motor {0} is driven in pulses. Release the button to stop the motor.</source>
         <translation>Motor {0} läuft in Impulsen. Lassen Sie die Schaltfläche los, um ihn zu stoppen.</translation></message>
     <message><source>Hold to turn motor {0}</source>
         <translation>Gedrückt halten: Motor {0} dreht</translation></message>
     <message><source>&amp;Keep 30 s around each fault and stop</source>
         <translation>30 s um &amp;jede Störung und jeden Stopp behalten</translation></message>
-    <message><source>The seconds around “{0}” were saved. File, Open fault or stop: {1}</source>
+    <message><source>The seconds around “{0}” were saved as {1} (File, Open fault or stop).</source>
         <translation>Die Sekunden um „{0}“ wurden behalten. Datei, Störung oder Stopp öffnen: {1}</translation></message>
     <message><source>The seconds around “{0}” could not be saved. {1}</source>
         <translation>Die Sekunden um „{0}“ konnten nicht behalten werden. {1}</translation></message>
@@ -4035,7 +4035,7 @@ bisher {1}</translation></message>
         <translation>Rechtes Rad, rückwärts</translation></message>
     <message><source>Nothing</source>
         <translation>Nichts</translation></message>
-    <message><source>Robots that trexcmd serve offers on this computer and on the local network.</source>
+    <message><source>Robots that “trexcmd serve” offers on this computer and on the local network.</source>
         <translation>Mit trexcmd serve bereitgestellt: von diesem Rechner und von anderen im lokalen Netz.</translation></message>
     <message numerus="yes"><source>%n robot(s) stopped.</source>
         <translation><numerusform>%n Roboter gestoppt.</numerusform><numerusform>%n Roboter gestoppt.</numerusform></translation></message>
@@ -4063,19 +4063,19 @@ bisher {1}</translation></message>
         <translation>Keine Roboter gefunden.</translation></message>
     <message><source>no board</source>
         <translation>kein Board</translation></message>
-    <message><source>Not confirmed: {0}</source>
+    <message><source>Stop not confirmed: {0}</source>
         <translation>Nicht bestätigt: {0}</translation></message>
-    <message><source>{0}, does not respond</source>
+    <message><source>{0}, not responding</source>
         <translation>{0}, antwortet nicht</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
-    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then uses it as well. Other programs on this line must use it, too.</source>
+    <message><source>{0} is now one of the pending changes and takes effect after the board is switched off and on. This window then uses the new setting. Other programs on this line must also use the new setting.</source>
         <translation>{0} gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen sie auch verwenden.</translation></message>
     <message><source>Discard and reload</source>
         <translation>Verwerfen und neu laden</translation></message>
     <message><source>&amp;Add to the file</source>
         <translation>In die Datei &amp;aufnehmen</translation></message>
-    <message><source>Not in the file: the board keeps its own.</source>
+    <message><source>Not in the file: the board keeps its own calibration.</source>
         <translation>Nicht in der Datei: Das Board behält seine.</translation></message>
     <message><source>Bold: differs from the factory default.</source>
         <translation>Fett: weicht von der Werkseinstellung ab.</translation></message>
@@ -4093,19 +4093,19 @@ bisher {1}</translation></message>
         <translation>Kalibrierungen</translation></message>
     <message><source>None set.</source>
         <translation>Keine angegeben.</translation></message>
-    <message><source>Replace values with units by wire values, and numbers outside their range by the nearest valid number; the file changes when you save it</source>
+    <message><source>Convert values with units to wire values, and replace numbers that are out of range with the nearest valid number. The file changes only when you save it</source>
         <translation>Werte mit Einheiten als Bytewerte schreiben, und Zahlen außerhalb ihres Bereichs als die nächstliegende darin; die Datei ändert sich, wenn Sie speichern</translation></message>
     <message><source>&amp;Repair values</source>
         <translation>Werte &amp;reparieren</translation></message>
     <message><source>Text of the settings file</source>
         <translation>Text der Einstellungsdatei</translation></message>
-    <message><source>Save writes this text. Comments and the order of the lines stay as they are; change values on the other pages.</source>
+    <message><source>“Save” writes this text. Comments and the order of the lines do not change. To change values, use the other pages.</source>
         <translation>„Speichern“ schreibt diesen Text. Kommentare und die Reihenfolge der Zeilen bleiben; ändern Sie Werte auf den anderen Seiten.</translation></message>
     <message><source>Chec&amp;k again</source>
         <translation>&amp;Erneut prüfen</translation></message>
     <message><source>Read the text again and list its errors</source>
         <translation>Den Text erneut lesen und seine Fehler auflisten</translation></message>
-    <message><source>This file cannot be used. Correct the text here, then check it again; the other pages open once it has no errors.</source>
+    <message><source>This file cannot be used. Correct the text here, then check it again. The other pages become available once the text has no errors.</source>
         <translation>Diese Datei kann nicht verwendet werden. Berichtigen Sie den Text hier und prüfen Sie ihn erneut; die anderen Seiten öffnen sich, sobald er keine Fehler mehr hat.</translation></message>
     <message><source>Line numbers</source>
         <translation>Zeilennummern</translation></message>
@@ -4133,7 +4133,7 @@ bisher {1}</translation></message>
         <translation>Nichts konnte repariert werden: Berichtigen Sie den Text in den unten genannten Zeilen.</translation></message>
     <message><source>Tool bar</source>
         <translation>Werkzeugleiste</translation></message>
-    <message><source>It still has errors.</source>
+    <message><source>The file still has errors.</source>
         <translation>Sie hat noch Fehler.</translation></message>
     <message><source>Factory defaults</source>
         <translation>Werkseinstellungen</translation></message>
@@ -4187,17 +4187,35 @@ bisher {1}</translation></message>
         <translation>Angewendete Einstellungen, {0}</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Beispiel: {0}</translation></message>
+    <message><source>is not a readable settings file.</source>
+        <translation>ist keine lesbare Einstellungsdatei.</translation></message>
+    <message><source>Calibrations that the board does not currently report remain in the file: {0}.</source>
+        <translation>Kalibrierungen, die das Board jetzt nicht zeigt, wurden beibehalten: {0}.</translation></message>
+    <message><source>The program {0} applies and verifies the displayed settings. Its first lines explain how to use the program.</source>
+        <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
+    <message><source>{0} was not saved again: it is still being saved.</source>
+        <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
+    <message><source>&amp;Export as code…</source>
+        <translation>Als &amp;Code exportieren…</translation></message>
+    <message><source>The settings shown were saved in {0}.</source>
+        <translation>Die angezeigten Einstellungen wurden in {0} gespeichert.</translation></message>
+    <message><source>{0} was not saved: {1}</source>
+        <translation>{0} wurde nicht gespeichert: {1}</translation></message>
+    <message><source>{0} was not written: {1}</source>
+        <translation>{0} wurde nicht geschrieben: {1}</translation></message>
+    <message><source>holds settings of a {0}.</source>
+        <translation>enthält Einstellungen eines {0}.</translation></message>
     <message><source>Swap the wire pairs of motors 1 and 2. Keep the order within each pair.</source>
         <translation>Vertauschen Sie das Drahtpaar von Motor 1 mit dem von Motor 2 (Reihenfolge beibehalten).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
         <translation>Vertauschen Sie die beiden Drähte des linken Motors.</translation></message>
     <message><source>Swap the two wires of the right motor.</source>
         <translation>Vertauschen Sie die beiden Drähte des rechten Motors.</translation></message>
-    <message><source>No setting does this for serial commands; your own program can do it instead.</source>
+    <message><source>No setting can make this change for serial commands, but your own program can.</source>
         <translation>Keine Einstellung bewirkt das für serielle Befehle; Ihr eigenes Programm kann es stattdessen tun.</translation></message>
-    <message><source>No setting of the board does this.</source>
+    <message><source>No setting of the board can make this change.</source>
         <translation>Keine Einstellung des Boards bewirkt das.</translation></message>
-    <message><source>About two minutes; the motors stay off. The next step needs the directions.</source>
+    <message><source>Learning takes about two minutes, and the motors stay off. The next step needs the stick directions.</source>
         <translation>Etwa zwei Minuten; die Motoren bleiben aus. Der nächste Schritt braucht die Richtungen.</translation></message>
     <message><source>The stick is fully &amp;right now</source>
         <translation>Der Knüppel ist jetzt ganz &amp;rechts</translation></message>
@@ -4205,8 +4223,6 @@ bisher {1}</translation></message>
         <translation>Der Knüppel ist jetzt ganz &amp;vorn</translation></message>
     <message><source>Both sticks are fully &amp;forward now</source>
         <translation>Beide Knüppel sind jetzt ganz &amp;vorn</translation></message>
-    <message><source>Nothing &amp;moved</source>
-        <translation>N&amp;ichts hat sich bewegt</translation></message>
     <message><source>Wir&amp;es swapped – test again</source>
         <translation>&amp;Drähte vertauscht – erneut testen</translation></message>
     <message><source>Clear both answers and test the motors again</source>
@@ -4217,22 +4233,24 @@ bisher {1}</translation></message>
         <translation>Schalten Sie die Motorversorgung aus.</translation></message>
     <message><source>The board learns your sticks</source>
         <translation>Das Board lernt Ihre Knüppel</translation></message>
-    <message><source>Each is connected to an output of your receiver.</source>
+    <message><source>Each channel is connected to an output of your receiver.</source>
         <translation>Jeder Kanal ist mit einem Ausgang Ihres Empfängers verbunden.</translation></message>
     <message><source>Channel 1 (motor 1)</source>
         <translation>Kanal 1 (Motor 1)</translation></message>
     <message><source>Channel 2 (motor 2)</source>
         <translation>Kanal 2 (Motor 2)</translation></message>
-    <message><source>{0}: its direction is not known yet.</source>
+    <message><source>{0}: the direction is not known yet.</source>
         <translation>{0}: Richtung noch nicht bekannt.</translation></message>
     <message><source>{0}: the value rises.</source>
         <translation>{0}: Der Wert steigt.</translation></message>
     <message><source>{0}: the value falls.</source>
         <translation>{0}: Der Wert fällt.</translation></message>
-    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
+    <message><source>{0}: the stick is still near its centre. Push the stick all the way.</source>
         <translation>{0}: Der Knüppel ist noch nahe der Mitte. Bewegen Sie ihn bis zum Anschlag.</translation></message>
     <message><source>Hold a button, then click what moved</source>
         <translation>Taste gedrückt halten, dann klicken, was sich bewegt hat</translation></message>
+    <message><source>Nothing &amp;moved</source>
+        <translation>N&amp;ichts hat sich bewegt</translation></message>
     <message><source>Click what this motor moved</source>
         <translation>Klicken Sie, was dieser Motor bewegt hat</translation></message>
     <message><source>Nothing turned: the next pulses are stronger (30 %). If that does not help, check the battery and the wires of this motor.</source>
@@ -4243,7 +4261,7 @@ bisher {1}</translation></message>
         <translation>Es müssen keine Drähte vertauscht werden, aber die Richtungen der Knüppel sind noch nicht bekannt: Gehen Sie zurück zu „Knüppel“. Ihre Antworten bleiben erhalten.</translation></message>
     <message><source>Settings correct this; no wires have to be swapped.</source>
         <translation>Einstellungen berichtigen dies; es müssen keine Drähte vertauscht werden.</translation></message>
-    <message><source>Already learned? Push, hold and click:</source>
+    <message><source>Already learned? Hold the sticks as a button says, then click the button:</source>
         <translation>Schon eingelernt? Drücken, halten und klicken:</translation></message>
     <message><source>Channel 1 (turns)</source>
         <translation>Kanal 1 (lenkt)</translation></message>
@@ -4253,7 +4271,7 @@ bisher {1}</translation></message>
         <translation>{0}: Es kommt kein Signal an.</translation></message>
     <message><source>not tried yet</source>
         <translation>noch nicht versucht</translation></message>
-    <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise it, or check the battery and the wires of this motor.</source>
+    <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise the ceiling, or check the battery and the wires of this motor.</source>
         <translation>Nichts hat sich gedreht: Die Impulse bleiben unter der Höchstgeschwindigkeit der Seite „Motoren“. Erhöhen Sie diese, oder prüfen Sie die Batterie und die Drähte dieses Motors.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
         <translation>Zwei Motoren können nicht dasselbe Rad antreiben: Versuchen Sie beide Schaltflächen erneut.</translation></message>
@@ -4263,7 +4281,7 @@ bisher {1}</translation></message>
         <translation>Ist der Sender eingeschaltet?</translation></message>
     <message><source>Motor &amp;{0}</source>
         <translation>Motor &amp;{0}</translation></message>
-    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
+    <message numerus="yes"><source>“Next” adds %n change(s). Nothing is written until you apply the changes.</source>
         <translation><numerusform>„Weiter“ fügt %n Änderung hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform><numerusform>„Weiter“ fügt %n Änderungen hinzu. Geschrieben wird erst, wenn Sie sie anwenden.</numerusform></translation></message>
     <message><source>&amp;Jumpers</source>
         <translation>&amp;Jumper</translation></message>
@@ -4273,9 +4291,9 @@ bisher {1}</translation></message>
         <translation>&amp;Grenzen</translation></message>
     <message><source>T&amp;imeout</source>
         <translation>T&amp;imeout</translation></message>
-    <message><source>Each step can be skipped. Nothing is written before you apply it at the end.</source>
+    <message><source>You can skip any step. Nothing is written until you apply the changes at the end.</source>
         <translation>Jeder Schritt kann übersprungen werden. Nichts wird geschrieben, bevor Sie es am Ende anwenden.</translation></message>
-    <message><source>Schematic: the user's guide shows where your board has them.</source>
+    <message><source>Schematic drawing: see the user's guide for the positions on your board.</source>
         <translation>Schema: Das Benutzerhandbuch zeigt, wo Ihr Board sie hat.</translation></message>
     <message><source>The mix jumper is on: remove it, then push a stick.</source>
         <translation>Der Mix-Jumper ist gesteckt: Ziehen Sie ihn ab und bewegen Sie dann einen Knüppel.</translation></message>
@@ -4285,7 +4303,7 @@ bisher {1}</translation></message>
         <translation>Stellen Sie ein, was Ihre Motoren dauernd aufnehmen dürfen: Die Vorgaben sind Beispiele. Ohne Rampe überschreitet der Strom die Grenze für einen Augenblick.</translation></message>
     <message><source>The computer must send something at least twice within this time. UART-Error Shutdown is also switched on, because the timeout may need it (twin).</source>
         <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden. „Abschaltung bei UART-Fehlern“ wird mit eingeschaltet, da das Timeout sie vielleicht braucht (Zwilling).</translation></message>
-    <message><source>Its changes were not added: open the step and click Next.</source>
+    <message><source>The changes of this step were not added. Open the step and click Next.</source>
         <translation>Seine Änderungen wurden nicht übernommen: Öffnen Sie den Schritt und klicken Sie auf „Weiter“.</translation></message>
     <message><source>For the first drive, keep the wheels off the ground: forward, back, left, right.</source>
         <translation>Fahren Sie zuerst mit den Rädern in der Luft: vor, zurück, links, rechts.</translation></message>
@@ -4323,7 +4341,7 @@ bisher {1}</translation></message>
         <translation>Autonomer &amp;Roboter</translation></message>
     <message><source>off</source><comment>limit</comment>
         <translation>aus</translation></message>
-    <message><source>In joint mode the board measures no current, so it cannot limit it.</source>
+    <message><source>In joint mode the board does not measure the current and cannot limit it.</source>
         <translation>Im Parallelbetrieb misst das Board keinen Strom und kann ihn daher nicht begrenzen.</translation></message>
     <message><source>This example was made for a {0}, which measures current in other units. Your board keeps its current limit.</source>
         <translation>Dieses Beispiel wurde für einen {0} erstellt, der den Strom in anderen Einheiten misst. Ihr Board behält seine Stromgrenze.</translation></message>
@@ -4331,11 +4349,11 @@ bisher {1}</translation></message>
         <translation>Wenn sich das Kabel löst, stoppt das Board</translation></message>
     <message><source>What is left to do</source>
         <translation>Was noch zu tun ist</translation></message>
-    <message><source>Wrong positions, or not checked.</source>
+    <message><source>The positions are wrong or have not been checked.</source>
         <translation>Falsche Stellung oder nicht geprüft.</translation></message>
     <message><source>The directions of the sticks are not known.</source>
         <translation>Die Richtungen der Knüppel sind nicht bekannt.</translation></message>
-    <message><source>Skipped, or its changes were undone.</source>
+    <message><source>This step was skipped, or its changes were undone.</source>
         <translation>Übersprungen, oder die Änderungen wurden rückgängig gemacht.</translation></message>
     <message><source>It is not known which motor drives which wheel.</source>
         <translation>Es ist nicht bekannt, welcher Motor welches Rad antreibt.</translation></message>
@@ -4353,9 +4371,9 @@ bisher {1}</translation></message>
         <translation>Kein Board ist verbunden, daher können seine Jumper nicht geprüft werden.</translation></message>
     <message><source>This board was started without the mode jumper (serial mode).</source>
         <translation>Dieses Board wurde ohne Modus-Jumper gestartet (serieller Modus).</translation></message>
-    <message><source>The mix jumper can be checked in serial mode only: in this mode a stick would drive the motors.</source>
+    <message><source>The mix jumper can be checked only in serial mode. In the present mode, a stick would drive the motors.</source>
         <translation>Der Mix-Jumper kann nur im seriellen Modus geprüft werden: Jetzt würde ein Knüppel die Motoren antreiben.</translation></message>
-    <message><source>The board does not report the mix jumper. Push a stick to one side to see it.</source>
+    <message><source>The board does not report the state of the mix jumper. Push a stick to one side to detect it.</source>
         <translation>Das Board meldet den Mix-Jumper nicht. Drücken Sie einen Knüppel zur Seite, um es zu sehen.</translation></message>
     <message><source>Current &amp;limit of each motor</source>
         <translation>&amp;Stromgrenze jedes Motors</translation></message>
@@ -4371,29 +4389,11 @@ bisher {1}</translation></message>
         <translation>Der Mix-Jumper ist abgezogen.</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testen Sie dann die Motoren erneut.</translation></message>
-    <message><source>is not a readable settings file.</source>
-        <translation>ist keine lesbare Einstellungsdatei.</translation></message>
-    <message><source>Calibrations that the board does not show now stay in the file: {0}.</source>
-        <translation>Kalibrierungen, die das Board jetzt nicht zeigt, wurden beibehalten: {0}.</translation></message>
-    <message><source>{0} applies and verifies the settings shown; its first lines explain how to use it.</source>
-        <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
-    <message><source>{0} was not saved again: it is still being saved.</source>
-        <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
-    <message><source>&amp;Export as code…</source>
-        <translation>Als &amp;Code exportieren…</translation></message>
-    <message><source>The settings shown were saved in {0}.</source>
-        <translation>Die angezeigten Einstellungen wurden in {0} gespeichert.</translation></message>
-    <message><source>{0} was not saved: {1}</source>
-        <translation>{0} wurde nicht gespeichert: {1}</translation></message>
-    <message><source>{0} was not written: {1}</source>
-        <translation>{0} wurde nicht geschrieben: {1}</translation></message>
-    <message><source>holds settings of a {0}.</source>
-        <translation>enthält Einstellungen eines {0}.</translation></message>
     <message><source>Select a snapshot to see what it would restore.</source>
         <translation>Wählen Sie eine Sicherungskopie aus, um zu sehen, was sie wiederherstellen würde.</translation></message>
-    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
+    <message><source>This snapshot is from a {0}, but the connected board is a {1}. The snapshot cannot be restored.</source>
         <translation>Diese Sicherungskopie ist von einem {0}, und das Board hier ist ein {1}: Sie kann nicht wiederhergestellt werden.</translation></message>
-    <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
+    <message><source>Note: this snapshot is from device number {0}, and the connected board has number {1}.</source>
         <translation>Hinweis: Diese Sicherungskopie ist von Gerätenummer {0}, das Board hier hat Nummer {1}.</translation></message>
     <message><source>Now, with edits</source>
         <translation>Jetzt, mit Änderungen</translation></message>
@@ -4405,11 +4405,11 @@ bisher {1}</translation></message>
         <translation><numerusform>%n Einstellung &amp;wiederherstellen …</numerusform><numerusform>%n Einstellungen &amp;wiederherstellen …</numerusform></translation></message>
     <message><source>Nothing is selected for restoring.</source>
         <translation>Zum Wiederherstellen ist nichts ausgewählt.</translation></message>
-    <message><source>To restore a snapshot, select it alone.</source>
+    <message><source>To restore a snapshot, select only this snapshot.</source>
         <translation>Um eine der beiden wiederherzustellen, wählen Sie sie allein aus.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>Das Board antwortet nicht, daher kann nichts wiederhergestellt werden.</translation></message>
-    <message><source>Settings are being written; wait until that is done.</source>
+    <message><source>Settings are being written. Wait until writing ends.</source>
         <translation>Einstellungen werden geschrieben; warten Sie, bis das abgeschlossen ist.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherungskopie wiederherzustellen.</translation></message>
@@ -4431,7 +4431,7 @@ bisher {1}</translation></message>
         <translation>RS-232-Port</translation></message>
     <message><source>Receiver</source>
         <translation>Empfänger</translation></message>
-    <message><source>Switch off the motor supply, or put the robot on blocks. Connecting and searching move no motor.</source>
+    <message><source>Switch off the motor supply, or put the robot on blocks. Connecting and searching do not move a motor.</source>
         <translation>Schalten Sie die Motorversorgung aus oder bocken Sie den Roboter auf. Verbinden und Suchen bewegen keinen Motor.</translation></message>
     <message><source>No board at hand?</source>
         <translation>Kein Board zur Hand?</translation></message>

@@ -55,20 +55,20 @@
         <translation><numerusform>%n count</numerusform><numerusform>%n counts</numerusform></translation></message>
     <message numerus="yes"><source>and %n more</source>
         <translation><numerusform>and %n more</numerusform><numerusform>and %n more</numerusform></translation></message>
-    <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
-        <translation><numerusform>Permanently delete the snapshot of {0}?</numerusform><numerusform>Permanently delete %n snapshots, the newest of {0}?</numerusform></translation></message>
-    <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
-        <translation><numerusform>%n earlier pending edit will be written, too.</numerusform><numerusform>%n earlier pending edits will be written, too.</numerusform></translation></message>
+    <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest from {0}?</source>
+        <translation><numerusform>Permanently delete the snapshot from {0}?</numerusform><numerusform>Permanently delete %n snapshots, the newest from {0}?</numerusform></translation></message>
+    <message numerus="yes"><source>%n earlier pending edit(s) will also be written.</source>
+        <translation><numerusform>%n earlier pending edit will also be written.</numerusform><numerusform>%n earlier pending edits will also be written.</numerusform></translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
         <translation><numerusform>Review %n ch&amp;ange…</numerusform><numerusform>Review %n ch&amp;anges…</numerusform></translation></message>
-    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
-        <translation><numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform><numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from the last applied values ({1}): lost, changed by another program, or this is another board.</source>
-        <translation><numerusform>%n setting of this {0} differs from the last applied values ({1}): lost, changed by another program, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from the last applied values ({1}): lost, changed by another program, or this is another board.</numerusform></translation></message>
+    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore them as pending edits?</source>
+        <translation><numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore it as a pending edit?</numerusform><numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore them as pending edits?</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from the last applied values ({1}). They were lost or changed by another program, or this is another board.</source>
+        <translation><numerusform>%n setting of this {0} differs from the last applied value ({1}). It was lost or changed by another program, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from the last applied values ({1}). They were lost or changed by another program, or this is another board.</numerusform></translation></message>
     <message numerus="yes"><source>%n robot(s) stopped.</source>
         <translation><numerusform>%n robot stopped.</numerusform><numerusform>%n robots stopped.</numerusform></translation></message>
-    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
-        <translation><numerusform>Next adds %n change. Nothing is written before you apply them.</numerusform><numerusform>Next adds %n changes. Nothing is written before you apply them.</numerusform></translation></message>
+    <message numerus="yes"><source>“Next” adds %n change(s). Nothing is written until you apply the changes.</source>
+        <translation><numerusform>“Next” adds %n change. Nothing is written until you apply the change.</numerusform><numerusform>“Next” adds %n changes. Nothing is written until you apply the changes.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Restore %n setting(s)…</source>
         <translation><numerusform>&amp;Restore %n setting…</numerusform><numerusform>&amp;Restore %n settings…</numerusform></translation></message>
     <message numerus="yes"><source>%n board(s) found.</source>

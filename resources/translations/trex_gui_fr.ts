@@ -171,11 +171,11 @@
         <translation>{0} n'est pas de la forme {1}://hôte:port, par exemple {1}://192.168.1.20:2217.</translation></message>
     <message><source>{0} is not the name of a host, such as robot.local.</source>
         <translation>{0} n'est pas un hôte, par exemple robot.local.</translation></message>
-    <message><source>Opening this port reset the board: it responds again after about a second.</source>
+    <message><source>Opening this port reset the board. The board responds again after about a second.</source>
         <translation>L'ouverture de ce port a réinitialisé la carte : elle répond environ une seconde plus tard.</translation></message>
     <message><source>Aracna {0}</source>
         <translation>Aracna {0}</translation></message>
-    <message><source>No probe for an Aracna was sent on {0}: the baud rate is set at the other end of the network, and a TReX at another rate could mistake the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
+    <message><source>No probe for an Aracna was sent on {0}: the baud rate is set at the other end of the network, and a TReX at another rate could mistake the probe for a command. If you know that the device is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
         <translation>Aucune requête de détection d'un Aracna n'a été envoyée sur {0} : le débit est réglé à l'autre bout du réseau, et un TReX à un autre débit pourrait prendre cette requête pour une commande. Si vous savez que c'est un Aracna, connectez-le une fois avec : trex-gui --device aracna --port {1}</translation></message>
     <message><source>No probe for an Aracna was sent: {0} cannot be set to {1}.</source>
         <translation>Aucune requête de détection d'un Aracna n'a été envoyée : {0} ne peut pas être réglé sur {1}.</translation></message>
@@ -203,7 +203,7 @@
         <translation>Moteur {0}</translation></message>
     <message><source>The recording ends here.</source>
         <translation>L'enregistrement se termine ici.</translation></message>
-    <message><source>Recording {0} ended with the connection.</source>
+    <message><source>Recording {0} ended because the connection was closed.</source>
         <translation>Enregistrement {0} terminé avec la connexion.</translation></message>
     <message><source>Recording {0} ended: the number of motors has changed.</source>
         <translation>Enregistrement {0} terminé : le nombre de moteurs a changé.</translation></message>
@@ -239,17 +239,19 @@
         <translation><numerusform>Lecture de %n étape, {0}.</numerusform><numerusform>Lecture de %n étapes, {0}.</numerusform></translation></message>
     <message><source>Nothing more is sent.</source>
         <translation>Plus rien n'est envoyé.</translation></message>
-    <message><source>Solid lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
+    <message><source>Solid lines: last reported positions. Dashed lines: goals. In this sketch, all angles are drawn flat.</source>
         <translation>Traits pleins : dernières positions transmises ; tirets : cible. Schéma : les angles sont dessinés à plat.</translation></message>
     <message><source>The order of the legs is assumed. Even motors are inner joints, odd motors are outer joints.</source>
         <translation>L'attribution des pattes est supposée ; les moteurs pairs sont les articulations intérieures, les impairs les extérieures.</translation></message>
+    <message><source>The motion ends by itself in about {0:.1f} s.</source>
+        <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
         <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
     <message><source>Check its power and the cable.</source>
         <translation>Vérifiez son alimentation et le câble.</translation></message>
     <message><source>unlimited</source>
         <translation>illimitée</translation></message>
-    <message><source>The reply was lost (or no motor responds): positions are not known.</source>
+    <message><source>The reply was lost, or no motor responds. The positions are unknown.</source>
         <translation>La réponse s'est perdue (ou aucun moteur ne répond) : les positions ne sont pas connues.</translation></message>
     <message><source>Unknown: a motion may continue for about {0:.0f} s.</source>
         <translation>Inconnu : un mouvement peut continuer pendant environ {0:.0f} s.</translation></message>
@@ -269,8 +271,6 @@
         <translation>Au repos : rien n'est envoyé.</translation></message>
     <message><source>Unknown: the last motion may still be running.</source>
         <translation>Inconnu : le dernier mouvement est peut-être encore en cours.</translation></message>
-    <message><source>The motion ends by itself in about {0:.1f} s.</source>
-        <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
     <message><source>The sequence starts.</source>
         <translation>La séquence commence.</translation></message>
     <message><source>Playing blend-in.</source>
@@ -291,7 +291,7 @@
         <translation>Étape {0} en cours, cycle {1}.</translation></message>
     <message><source>motor {0} to {1} instead of {2}</source>
         <translation>moteur {0} à {1} au lieu de {2}</translation></message>
-    <message><source>{0} missed</source>
+    <message><source>missed by {0}</source>
         <translation>{0} : manquée</translation></message>
     <message><source>Waiting for motor {0} to arrive …</source>
         <translation>En attente de l'arrivée du moteur {0} …</translation></message>
@@ -299,7 +299,7 @@
         <translation>Se couche à plat en 3 s et se relève en 3 s, depuis n'importe quelle position.</translation></message>
     <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
         <translation>Lève deux pattes opposées, fait pivoter les deux autres, alterne et les ramène.</translation></message>
-    <message><source>Moves all motors together, 100 units about the centre.</source>
+    <message><source>Moves all motors together, up to 100 units to either side of the centre.</source>
         <translation>Tous les moteurs ensemble, ±100 unités autour du centre.</translation></message>
     <message><source>Moves back and forth between two poses; a motor that ends more than 50 units from its goal is suspect.</source>
         <translation>Va-et-vient entre deux poses ; les moteurs qui restent à plus de 50 unités de leur cible sont suspects.</translation></message>
@@ -309,13 +309,13 @@
         <translation>Passe par « half-stand » jusqu'à « flat », depuis n'importe quelle position.</translation></message>
     <message><source>The poses are for {0} motors, but the robot has {1}: the last positions are ignored.</source>
         <translation>Les poses sont pour {0} moteurs, le robot en a {1} : les dernières positions sont ignorées.</translation></message>
-    <message><source>The poses are for {0} motors, but the robot has {1}: its last motors go to {2}.</source>
+    <message><source>The poses are for {0} motors, but the robot has {1}: the remaining motors go to {2}.</source>
         <translation>Les poses sont pour {0} moteurs, le robot en a {1} : ses derniers moteurs vont à {2}.</translation></message>
     <message><source>{0} uses poses that are not defined: {1}</source>
         <translation>{0} utilise des poses qui ne sont pas définies : {1}</translation></message>
     <message><source>{0} has no steps</source>
         <translation>{0} n'a aucune étape</translation></message>
-    <message><source>the first line should name the robot and its servos; assuming 8 servos</source>
+    <message><source>the first line should contain the name of the robot and the number of servos; assuming 8 servos</source>
         <translation>la première ligne devrait nommer le robot et ses servos ; 8 servos sont supposés</translation></message>
     <message><source>poses</source>
         <translation>poses</translation></message>
@@ -323,25 +323,25 @@
         <translation>ni une pose ni une séquence : il manque le deux-points</translation></message>
     <message><source>a sequence needs a colon after its name</source>
         <translation>une séquence a un deux-points après son nom</translation></message>
-    <message><source>this is not UTF-8 text; it is read as Western European, and Save writes UTF-8</source>
+    <message><source>this text is not in UTF-8; it was read as Western European, and will be saved as UTF-8</source>
         <translation>ce n'est pas du texte UTF-8 ; il est lu comme texte d'Europe occidentale, et « Enregistrer » écrit de l'UTF-8</translation></message>
-    <message><source>this is a binary file; poses are text</source>
+    <message><source>this is a binary file, but pose files contain text</source>
         <translation>c'est un fichier binaire ; les poses sont du texte</translation></message>
     <message><source>{0} resolutions are expected; assuming {1} for every servo</source>
         <translation>{0} résolutions attendues ; {1} est supposé pour chaque servo</translation></message>
-    <message><source>pose {0} has {1} positions of {2}; missing ones become {3}</source>
+    <message><source>pose {0} has only {1} of {2} positions; the missing positions become {3}</source>
         <translation>la pose {0} a {1} positions sur {2} ; celles qui manquent deviennent {3}</translation></message>
-    <message><source>pose {0}: positions are numbers from 0 to {1}, not {2!r} (motor {3})</source>
+    <message><source>pose {0}: positions must be numbers from 0 to {1}, not {2!r} (motor {3})</source>
         <translation>pose {0} : les positions sont des nombres de 0 à {1}, pas {2!r} (moteur {3})</translation></message>
-    <message><source>sequence {0}: a step is a pose, a bar and {1} to {2} ms, not {3!r}</source>
+    <message><source>sequence {0}: a step must be a pose, a bar and {1} to {2} ms, not {3!r}</source>
         <translation>séquence {0} : une étape se compose d'une pose, d'une barre et de {1} à {2} ms, pas {3!r}</translation></message>
     <message><source>pose {0} has {1} positions for {2} servos; the last positions are kept, but not used</source>
         <translation>la pose {0} a {1} positions pour {2} servos ; les dernières sont conservées, mais pas utilisées</translation></message>
-    <message><source>line {0} defines this {1} again and takes precedence; this one is now called {2}</source>
+    <message><source>line {0} defines this {1} again and takes precedence; the {1} in this line is now called {2}</source>
         <translation>la ligne {0} contient de nouveau cette {1} et compte ; celle-ci s'appelle maintenant {2}</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>la séquence {0} utilise la pose {1}, qui n'est pas dans le fichier</translation></message>
-    <message><source>a {0} has a name before its colon</source>
+    <message><source>a {0} needs a name before the colon</source>
         <translation>une {0} a un nom avant son deux-points</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0} ; la ligne est conservée, mais pas utilisée</translation></message>
@@ -365,23 +365,23 @@
         <translation>Arrière gauche</translation></message>
     <message><source>limits must be 0 to {0}, the lower one first, not {1} to {2}</source>
         <translation>les limites vont de 0 à {0}, dans l'ordre, pas de {1} à {2}</translation></message>
-    <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
+    <message><source>No Aracna responds on {0}. If the robot is moving, wait until it stops: it does not listen while it moves. Check that the robot's board has power, that the adapter's TX is connected to the board's RX and the adapter's RX to the board's TX (or that both radios are on the same channel), and that ground is connected.</source>
         <translation>Aucun Aracna ne répond sur {0}. Il n'écoute pas pendant qu'il bouge : s'il bouge, attendez qu'il s'arrête. Vérifiez que la carte du robot est alimentée, que TX de l'adaptateur va à son RX et RX à son TX (ou que les deux radios sont sur le même canal), et que la masse est reliée.</translation></message>
     <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else arrives. The adapter's TX and RX are joined; an Aracna never echoes.</source>
         <translation>Aucun Aracna ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre. Les broches TX et RX de l'adaptateur sont reliées ; un Aracna ne renvoie jamais d'écho.</translation></message>
-    <message><source>An Aracna on {0} reports its start, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
+    <message><source>An Aracna on {0} reports that it has started, but does not respond afterwards. It may be restarting repeatedly. Check its power supply.</source>
         <translation>Un Aracna sur {0} signale qu'il démarre, mais ne répond pas ensuite. Il redémarre peut-être sans cesse : vérifiez son alimentation.</translation></message>
-    <message><source>Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX at another baud rate, or interference on the line.</source>
+    <message><source>A reply arrived on {0}, but not from an Aracna: {1}. The cause may be another device, perhaps a TReX at another baud rate, or interference on the line.</source>
         <translation>Quelque chose répond sur {0}, mais pas comme un Aracna : {1}. C'est un autre appareil, peut-être un TReX à un autre débit, ou des parasites sur la liaison.</translation></message>
-    <message><source>The robot has not replied yet; it is still being queried.</source>
+    <message><source>The robot has not replied yet. Wait until it responds, then try again.</source>
         <translation>Le robot n'a pas encore répondu ; il est encore interrogé.</translation></message>
-    <message><source>The robot has not replied to the last command yet.</source>
+    <message><source>The robot has not yet replied to the last command.</source>
         <translation>Une commande à la fois : le robot n'a pas encore répondu à la dernière.</translation></message>
     <message><source>The robot did not reply in time.</source>
         <translation>Le robot n'a pas répondu à temps.</translation></message>
     <message><source>The reply does not match the command: {0}.</source>
         <translation>La réponse ne correspond pas à la commande : {0}.</translation></message>
-    <message><source>The robot is waiting for motor {0} and reads nothing until it responds.</source>
+    <message><source>The robot is waiting for motor {0} and reads no commands until this motor responds.</source>
         <translation>Le robot attend le moteur {0} et ne lit rien tant que celui-ci ne répond pas.</translation></message>
     <message><source>The robot is stuck: nothing was sent.</source>
         <translation>Le robot est figé : rien n'a été envoyé.</translation></message>
@@ -393,7 +393,7 @@
         <translation>Aucun moteur n'a accepté sa vitesse. Vérifiez l'alimentation des servos.</translation></message>
     <message><source>The robot did not confirm its speeds, so no motor was moved. {0}</source>
         <translation>Le robot n'a pas confirmé ses vitesses ; aucun moteur n'a donc été déplacé. {0}</translation></message>
-    <message><source>{0} The motor is blocked, or servo power was off. The sequence does not continue by itself.</source>
+    <message><source>{0} The motor is blocked, or servo power was off. Remove the cause, then play the sequence again.</source>
         <translation>{0} Il est bloqué, ou les servos n'étaient pas alimentés. La séquence ne reprend pas d'elle-même.</translation></message>
     <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
         <translation>Le moteur {0} est à {1}, soit {2} par rapport à sa cible {3}.</translation></message>
@@ -403,7 +403,7 @@
         <translation>Une séquence est en cours : arrêtez-la d'abord.</translation></message>
     <message><source>A newer request replaced this one.</source>
         <translation>Une demande plus récente a remplacé celle-ci.</translation></message>
-    <message><source>Stopped before it was sent.</source>
+    <message><source>Stopped before the command was sent.</source>
         <translation>Arrêté avant l'envoi.</translation></message>
     <message><source>The robot's board has restarted.</source>
         <translation>La carte du robot a redémarré.</translation></message>
@@ -411,7 +411,7 @@
         <translation>Un autre robot répond maintenant sur ce port.</translation></message>
     <message><source>The robot stopped responding.</source>
         <translation>Le robot a cessé de répondre.</translation></message>
-    <message><source>The connection was closed before this was complete.</source>
+    <message><source>The connection was closed before the request was complete.</source>
         <translation>La connexion a été fermée avant que ce soit fait.</translation></message>
     <message><source>Internal error in the connection: {0}</source>
         <translation>Erreur interne de la connexion : {0}</translation></message>
@@ -431,7 +431,7 @@
         <translation>La séquence a été interrompue : un moteur était loin de sa cible.</translation></message>
     <message><source>The sequence was aborted: the robot does not respond.</source>
         <translation>La séquence a été interrompue : le robot ne répond pas.</translation></message>
-    <message><source>A robot with {0} motors cannot play this.</source>
+    <message><source>A robot with {0} motors cannot play this sequence.</source>
         <translation>Un robot à {0} moteurs ne peut pas exécuter cela.</translation></message>
     <message><source>query version and motors</source>
         <translation>demander la version et les moteurs</translation></message>
@@ -441,7 +441,7 @@
         <translation>éteindre la LED de débogage</translation></message>
     <message><source>end an unfinished line in the robot's buffer</source>
         <translation>terminer une ligne inachevée dans le tampon du robot</translation></message>
-    <message><source>not a command of an Aracna</source>
+    <message><source>not an Aracna command</source>
         <translation>pas une commande d'un Aracna</translation></message>
     <message><source>the robot has started and is busy for a second</source>
         <translation>le robot a démarré, occupé pendant une seconde</translation></message>
@@ -473,7 +473,7 @@
         <translation>vitesses {0}</translation></message>
     <message><source>at {0}</source>
         <translation>à {0}</translation></message>
-    <message><source>not a reply of an Aracna: {0}</source>
+    <message><source>not a reply from an Aracna: {0}</source>
         <translation>pas une réponse d'un Aracna : {0}</translation></message>
     <message><source>incomplete line: {0}</source>
         <translation>ligne incomplète : {0}</translation></message>
@@ -481,11 +481,11 @@
         <translation>{0} moteurs</translation></message>
     <message><source>followed by {0}</source>
         <translation>suivi de {0}</translation></message>
-    <message><source>This share of the bytes is corrupted in both directions; the protocol does not detect this, and a corrupted command may restart the firmware</source>
+    <message><source>Percentage of bytes that are corrupted, in both directions. The protocol does not detect corrupted bytes, and a corrupted command may restart the firmware.</source>
         <translation>Cette part des octets est altérée dans les deux sens ; ce protocole ne le détecte pas, et une commande altérée peut redémarrer le firmware</translation></message>
     <message><source>A command that loses a byte may have too few values, which restarts the firmware</source>
         <translation>Un octet perdu d'une commande peut y laisser trop peu de valeurs, ce qui redémarre le firmware</translation></message>
-    <message><source>The only way to stop a motion: the protocol has no stop command.</source>
+    <message><source>To stop a motion, switch off the servo power: the protocol has no stop command.</source>
         <translation>Le seul moyen d'arrêter un mouvement : le protocole n'a pas de commande d'arrêt.</translation></message>
     <message><source>The debug LED; it blinks while the firmware boots</source>
         <translation>La LED de débogage ; elle clignote pendant le démarrage du firmware</translation></message>
@@ -493,13 +493,13 @@
         <translation>Alimentation</translation></message>
     <message><source>Robot on</source>
         <translation>Robot en marche</translation></message>
-    <message><source>The robot's own switch: board and servos</source>
+    <message><source>The robot's power switch, for board and servos</source>
         <translation>L'interrupteur du robot : carte et servos</translation></message>
     <message><source>Restart board</source>
         <translation>Redémarrer la carte</translation></message>
     <message><source>Servo power</source>
         <translation>Alimentation des servos</translation></message>
-    <message><source>Power of the servos only: without it they stop, go limp and lose their speeds; the firmware waits for them</source>
+    <message><source>Power of the servos only. Without power, the servos stop, go limp and lose their speeds, and the firmware waits for them.</source>
         <translation>L'alimentation des servos seuls : sans elle, ils s'arrêtent, ne tiennent plus et perdent leurs vitesses ; le firmware les attend</translation></message>
     <message><source>Dead</source>
         <translation>En panne</translation></message>
@@ -513,7 +513,7 @@
         <translation>Câble</translation></message>
     <message><source>Plugged in</source>
         <translation>Branché</translation></message>
-    <message><source>Unplugged, the port disappears; a running motion continues to its goal</source>
+    <message><source>When the cable is unplugged, the port disappears, but a running motion continues to its goal</source>
         <translation>Débranché, le port disparaît ; un mouvement en cours continue jusqu'à sa cible</translation></message>
     <message><source>Moving indefinitely: waiting for a servo that is blocked or dead.</source>
         <translation>Mouvement sans fin : en attente d'un servo bloqué ou en panne.</translation></message>
@@ -531,7 +531,7 @@
         <translation>LED : clignote</translation></message>
     <message><source>Robot switched on</source>
         <translation>Robot en marche</translation></message>
-    <message><source>The reset line: the firmware restarts, the servos continue to their goals</source>
+    <message><source>Reset the board: the firmware restarts, but the servos continue to their goals</source>
         <translation>La ligne de réinitialisation : le firmware redémarre, les servos continuent jusqu'à leurs cibles</translation></message>
     <message><source>{0}: real position</source>
         <translation>{0} : position réelle</translation></message>
@@ -541,29 +541,29 @@
         <translation>Le fil de retour est coupé : le robot exécute les commandes, aucune réponse n'arrive</translation></message>
     <message><source>Moving indefinitely: waiting for servos that have no power.</source>
         <translation>Mouvement sans fin : en attente de servos sans alimentation.</translation></message>
-    <message><source>The power is off: no reply, and no servo holds.</source>
+    <message><source>The power is off: the robot does not reply, and no servo holds its position.</source>
         <translation>L'alimentation est coupée : pas de réponse, et aucun servo ne tient.</translation></message>
     <message><source>Booting: blinks for a second and reads nothing.</source>
         <translation>Démarrage : clignote pendant une seconde et ne lit rien.</translation></message>
     <message><source>Idle: waiting for commands.</source>
         <translation>Inactif : en attente de commandes.</translation></message>
-    <message><source>Setting speeds: reading them back from the servos.</source>
+    <message><source>Setting speeds and reading them back from the servos.</source>
         <translation>Réglage des vitesses : elles sont relues dans les servos.</translation></message>
     <message><source>Moving: reads nothing until every servo has arrived.</source>
         <translation>En mouvement : ne lit rien avant que tous les servos soient arrivés.</translation></message>
     <message><source>The robot's switch is off: board and servos have no power.</source>
         <translation>L'interrupteur du robot est sur arrêt : carte et servos ne sont pas alimentés.</translation></message>
-    <message><source>Off: no servo moves, holds or replies.</source>
+    <message><source>Servo power is off: no servo moves, holds its position or replies.</source>
         <translation>Coupée : aucun servo ne bouge, ne tient ni ne répond.</translation></message>
     <message><source>dead</source>
         <translation>en panne</translation></message>
-    <message><source>How often the firmware has started</source>
+    <message><source>Number of times that the firmware has started</source>
         <translation>Nombre de démarrages du firmware</translation></message>
-    <message><source>Every servo works and is free to move, the line is quiet, everything is switched on</source>
+    <message><source>Repair and free every servo, clear all line faults, and switch everything on</source>
         <translation>Servos en état, libres et sans charge, liaison sans bruit, tout en marche</translation></message>
-    <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
+    <message><source>{0} does not respond, as if it were unplugged: its speed reads as −1, and a move waits indefinitely</source>
         <translation>{0} ne répond pas, comme débranché : les vitesses lues valent −1, et un mouvement l'attend sans fin</translation></message>
-    <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
+    <message><source>{0} is blocked: it remains “moving”, and the firmware waits</source>
         <translation>Quelque chose bloque {0} : il reste « en mouvement », et le firmware attend</translation></message>
     <message><source>Simulated loss</source>
         <translation>Perte à simuler</translation></message>
@@ -583,7 +583,7 @@
         <translation>Octet de réponse</translation></message>
     <message><source>Command byte</source>
         <translation>Octet de commande</translation></message>
-    <message><source>Reply: end</source>
+    <message><source>End of reply</source>
         <translation>Réponse : fin</translation></message>
     <message><source>holds</source>
         <translation>tient sa position</translation></message>
@@ -593,7 +593,7 @@
         <translation>va vers {0}</translation></message>
     <message><source>This link has no stop command: a running motion ends by itself or when the servo power is cut.</source>
         <translation>Cette liaison n'a pas de commande d'arrêt : un mouvement en cours ne se termine que de lui-même, ou en coupant l'alimentation des servos.</translation></message>
-    <message><source>End the sequence and send nothing more; the robot stays where it is (Esc, anywhere)</source>
+    <message><source>End the sequence and send nothing more. A running motion continues to its goal. (Esc, anywhere)</source>
         <translation>Terminer la séquence, ne plus rien envoyer, laisser le robot où il est (Échap, partout)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Ter&amp;miner après cette étape</translation></message>
@@ -671,7 +671,7 @@
         <translation>Temps</translation></message>
     <message><source>Remarks</source>
         <translation>Remarques</translation></message>
-    <message><source>No steps yet. Add one: it uses the current pose.</source>
+    <message><source>No steps yet. “Add step” adds a step with the current pose.</source>
         <translation>Pas encore d'étapes. Ajoutez-en une : elle utilise la pose actuelle.</translation></message>
     <message><source>Milliseconds of step {0}</source>
         <translation>Millisecondes de l'étape {0}</translation></message>
@@ -717,11 +717,11 @@
         <translation>0 : répéter jusqu'à l'arrêt.</translation></message>
     <message><source> %</source>
         <translation> %</translation></message>
-    <message><source>Also takes effect while playing, from the next step. At 50 %, each step takes twice as long.</source>
+    <message><source>Changes during playback take effect from the next step. At 50 %, each step takes twice as long.</source>
         <translation>Aussi en cours de lecture, à partir de l'étape suivante. 50 % : chaque étape dure deux fois plus longtemps.</translation></message>
-    <message><source>First move slowly to the start, in 3 s.</source>
+    <message><source>Move slowly to the start first, in 3 s.</source>
         <translation>Aller d'abord lentement, en 3 s, au départ.</translation></message>
-    <message><source>At the end move slowly to the pose “stand”, in 3 s.</source>
+    <message><source>At the end, move slowly to the pose “stand”, in 3 s.</source>
         <translation>À la fin, aller lentement, en 3 s, à la pose « stand ».</translation></message>
     <message><source>Select a sequence or a gait to play it.</source>
         <translation>Choisissez une séquence ou une allure pour la jouer.</translation></message>
@@ -741,7 +741,7 @@
         <translation>non définie</translation></message>
     <message><source>Cannot play: {0}.</source>
         <translation>Impossible de jouer : {0}.</translation></message>
-    <message><source>The robot's position is known after its first move.</source>
+    <message><source>The robot's position is unknown until its first move.</source>
         <translation>La position du robot est connue après son premier mouvement.</translation></message>
     <message><source>No poses. Capture the robot's position, or open a pose file.</source>
         <translation>Aucune pose. Capturez la position du robot, ou ouvrez un fichier de poses.</translation></message>
@@ -761,7 +761,7 @@
         <translation>Position du moteur {0} dans cette pose</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
         <translation>Moteur {0} : {1:.0f}°, limites {2} à {3}, envoyé : {4}</translation></message>
-    <message><source>Requests: {0}, of which without a reply: {1}.</source>
+    <message><source>Requests: {0}. Requests without a reply: {1}.</source>
         <translation>Requêtes : {0}, sans réponse : {1}.</translation></message>
     <message><source>Answered</source>
         <translation>Réponses</translation></message>
@@ -805,7 +805,7 @@
         <translation>vitesse</translation></message>
     <message><source>goal</source>
         <translation>cible</translation></message>
-    <message><source>the servo holds {0}</source>
+    <message><source>last speed reported by the servo: {0}</source>
         <translation>le servo garde {0}</translation></message>
     <message><source>Leg*</source>
         <translation>Patte*</translation></message>
@@ -827,7 +827,7 @@
         <translation>À</translation></message>
     <message><source>The positions of the motors are unknown.</source>
         <translation>Les positions des moteurs sont inconnues.</translation></message>
-    <message><source>This robot reports them only in its reply to a move.</source>
+    <message><source>This robot reports positions only in its reply to a move.</source>
         <translation>Ce robot ne les transmet que dans sa réponse à un mouvement.</translation></message>
     <message><source>The first move runs at speed {0} ({1}) unless you set other speeds.</source>
         <translation>Le premier se fait à la vitesse {0} ({1}), sauf si vous choisissez d'autres vitesses.</translation></message>
@@ -861,13 +861,13 @@
         <translation>Limites au lieu des vit&amp;esses</translation></message>
     <message><source>Speed &amp;of all:</source>
         <translation>&amp;Vitesse de tous :</translation></message>
-    <message><source>Goals and limits can be set already.</source>
+    <message><source>Goals and limits can already be set.</source>
         <translation>Les cibles et les limites peuvent déjà être réglées.</translation></message>
     <message><source>Every motor has reached its goal within a few units.</source>
         <translation>Tous les moteurs ont atteint leur cible à quelques unités près.</translation></message>
-    <message><source>The newest goal is sent as soon as the robot has reached the last one</source>
+    <message><source>The newest goal is sent as soon as the robot has reached the previous goal</source>
         <translation>La cible la plus récente est envoyée dès que le robot a atteint la précédente</translation></message>
-    <message><source>How far each joint may turn; goals are clamped before sending</source>
+    <message><source>Range of each joint. Goals outside this range are clamped before they are sent.</source>
         <translation>Jusqu'où chaque articulation peut tourner ; les cibles sont ramenées aux limites avant l'envoi</translation></message>
     <message><source>differ</source>
         <translation>différentes</translation></message>
@@ -879,7 +879,7 @@
         <translation>un robot</translation></message>
     <message><source>Demo Aracna</source>
         <translation>Démo Aracna</translation></message>
-    <message><source>a pose file of an Aracna</source>
+    <message><source>an Aracna pose file</source>
         <translation>un fichier de poses d'un Aracna</translation></message>
     <message><source>&amp;Aracna</source>
         <translation>&amp;Aracna</translation></message>
@@ -925,7 +925,7 @@
         <translation>Panneau &amp;Démo Aracna</translation></message>
     <message><source>Connect my {0}</source>
         <translation>Connecter mon {0}</translation></message>
-    <message><source>Connect an FTDI cable to the header or plug an XBee radio into the socket: both share one line. Switch on the servo power as well; without it the first move never ends.</source>
+    <message><source>Connect an FTDI cable to the header or plug an XBee radio into the socket: both share one line. Switch on the servo power as well. Without servo power, the first move never ends.</source>
         <translation>Un câble FTDI sur le connecteur, ou une radio XBee dans le support : tous deux partagent une ligne. Mettez aussi l'alimentation des servos sous tension, sans laquelle le premier mouvement ne se termine jamais.</translation></message>
     <message><source>Open pose fi&amp;le…</source>
         <translation>O&amp;uvrir un fichier de poses…</translation></message>
@@ -2563,10 +2563,12 @@
         <translation>les clés de fusion (&lt;&lt;) ne sont pas autorisées ; {0}</translation></message>
     <message><source>From the first setpoint until braking.</source>
         <translation>De la première consigne jusqu'au freinage.</translation></message>
-    <message><source>Runs the test while it is held, with the mouse or the space bar</source>
+    <message><source>Runs the test while you hold the button with the mouse or the space bar</source>
         <translation>Effectue l'essai tant qu'il est maintenu, avec la souris ou la barre d'espace</translation></message>
     <message><source>Test to compare with</source>
         <translation>Essai auquel comparer</translation></message>
+    <message><source>Open a saved test</source>
+        <translation>Ouvrir un essai enregistré</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
@@ -2589,7 +2591,7 @@
         <translation>Maintenir pour faire tourner</translation></message>
     <message><source>Motor {0} is running: {1:.1f} of {2:g} s.</source>
         <translation>Le moteur {0} tourne : {1:.1f} sur {2:g} s.</translation></message>
-    <message><source>Armed. Hold the button: the motor runs only while it is held.</source>
+    <message><source>Armed. Hold the button to run the motor. The motor stops when you release the button.</source>
         <translation>Moteurs activés. Maintenez le bouton enfoncé : le moteur ne tourne que tant que vous le maintenez.</translation></message>
     <message><source>Peak current</source>
         <translation>Courant de crête</translation></message>
@@ -2597,7 +2599,7 @@
         <translation>La mesure la plus élevée.</translation></message>
     <message><source>Steady current</source>
         <translation>Courant établi</translation></message>
-    <message><source>At the end of the first constant speed.</source>
+    <message><source>At the end of the first phase at constant speed.</source>
         <translation>À la fin de la première vitesse constante.</translation></message>
     <message><source>Mean current</source>
         <translation>Courant moyen</translation></message>
@@ -2605,16 +2607,14 @@
         <translation>Charge</translation></message>
     <message><source>Setpoint to current</source>
         <translation>De la consigne au courant</translation></message>
-    <message><source>Until the first reading of two counts, including the delays of the line, the board and its measurement.</source>
+    <message><source>Time until the first reading of at least two counts. It includes the delays of the line, the board and the measurement.</source>
         <translation>Jusqu'à la première mesure de deux counts : la liaison, la carte et sa mesure.</translation></message>
-    <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
+    <message><source>Time until the current stayed within this percentage of the steady current, or within two counts of the steady current.</source>
         <translation>Jusqu'à ce que le courant ne s'écarte plus du courant établi de plus de cette proportion, ou de plus de deux counts.</translation></message>
     <message><source>Figures of the test</source>
         <translation>Résultats de l'essai</translation></message>
     <message><source>&amp;Bench test…</source>
         <translation>Essai au &amp;banc…</translation></message>
-    <message><source>Open a saved test</source>
-        <translation>Ouvrir un essai enregistré</translation></message>
     <message><source>Compar&amp;e with</source>
         <translation>&amp;Comparer avec</translation></message>
     <message><source>Save bench test</source>
@@ -2639,10 +2639,14 @@
         <translation>Enregistré sous {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Stabilisé à ±{0:.0f} % après</translation></message>
-    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, briefly, the limit.</source>
+    <message><source>“Accelerate” uses the board's acceleration, brake duration and current limit. “Set at once” bypasses the acceleration and the brake duration, and briefly the current limit.</source>
         <translation>« Accélérer » utilise l'accélération, la durée de freinage et la limite de courant de la carte ; « Régler immédiatement » contourne les deux premières et aussi, pendant un instant, la limite.</translation></message>
-    <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
+    <message><source>A single reading above this current stops and disarms all motors. A motor draws the most current when it starts.</source>
         <translation>Une seule mesure au-dessus arrête et désactive tous les moteurs. C'est au démarrage qu'un moteur consomme le plus.</translation></message>
+    <message><source>Abort also at the board's current &amp;limit</source>
+        <translation>Interrompre aussi à la &amp;limite de la carte</translation></message>
+    <message><source>Stop when the board reports that its own current limit was exceeded.</source>
+        <translation>Arrêter quand la carte signale que sa propre limite de courant a été dépassée.</translation></message>
     <message><source>1 to {0}, full speed</source>
         <translation>1 à {0}, pleine vitesse</translation></message>
     <message><source>Connect to a board to see its settings.</source>
@@ -2661,8 +2665,6 @@
         <translation>&amp;Envoi</translation></message>
     <message><source>Abort &amp;above</source>
         <translation>&amp;Interrompre au-dessus de</translation></message>
-    <message><source>Abort at the board's &amp;limit, too</source>
-        <translation>Interrompre aussi à la &amp;limite de la carte</translation></message>
     <message><source>1 to {0}, the speed ceiling of the Motors page</source>
         <translation>1 à {0}, la vitesse maximale de la page Moteurs</translation></message>
     <message><source>R&amp;ises in</source>
@@ -2671,6 +2673,8 @@
         <translation>&amp;Période</translation></message>
     <message><source>Appl&amp;y…</source>
         <translation>Appli&amp;quer…</translation></message>
+    <message><source>Review and write all pending edits, including these</source>
+        <translation>Vérifier et écrire toutes les modifications en attente, y compris celles-ci</translation></message>
     <message><source> s</source>
         <translation> s</translation></message>
     <message><source>Step: at once</source>
@@ -2689,10 +2693,6 @@
         <translation>Accélérer</translation></message>
     <message><source> A</source>
         <translation> A</translation></message>
-    <message><source>Stop when the board reports that its own current limit was exceeded.</source>
-        <translation>Arrêter quand la carte signale que sa propre limite de courant a été dépassée.</translation></message>
-    <message><source>Review and write all pending edits, these included</source>
-        <translation>Vérifier et écrire toutes les modifications en attente, y compris celles-ci</translation></message>
     <message><source>Limit P</source>
         <translation>Limite P</translation></message>
     <message><source>Se&amp;t at once</source>
@@ -2703,11 +2703,11 @@
         <translation>Non appliqué : {0}</translation></message>
     <message><source>{0} (stored: {1})</source>
         <translation>{0} (enregistré : {1})</translation></message>
-    <message><source>The table of figures has the results as numbers.</source>
+    <message><source>The table contains the results as numbers.</source>
         <translation>Le tableau des valeurs donne les résultats en chiffres.</translation></message>
-    <message><source>Speed setpoint, against time</source>
+    <message><source>Speed setpoint against time</source>
         <translation>Consigne de vitesse, en fonction du temps</translation></message>
-    <message><source>Current drawn, against time</source>
+    <message><source>Motor current against time</source>
         <translation>Courant consommé, en fonction du temps</translation></message>
     <message><source>Setpoint</source>
         <translation>Consigne</translation></message>
@@ -2755,7 +2755,7 @@
         <translation>jumelé : un seul moteur</translation></message>
     <message><source>RS-232 (everything sent comes back)</source>
         <translation>RS-232 (tout ce qui est envoyé revient)</translation></message>
-    <message><source>this firmware runs at half of this baud rate</source>
+    <message><source>this firmware runs at half this baud rate</source>
         <translation>ce micrologiciel fonctionne à la moitié de ce débit</translation></message>
     <message><source>None since {0}.</source>
         <translation>Aucun depuis {0}.</translation></message>
@@ -2809,7 +2809,7 @@
         <translation>RC</translation></message>
     <message><source>Analog</source>
         <translation>Analogique</translation></message>
-    <message><source>channel 5 hands over</source>
+    <message><source>channel 5 selects serial</source>
         <translation>la voie 5 passe la main</translation></message>
     <message><source>Channel {0}: {1}</source>
         <translation>Voie {0} : {1}</translation></message>
@@ -2827,13 +2827,15 @@
         <translation>pas encore interrogée</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
-    <message><source>Find the boards of all device numbers; nothing is changed</source>
+    <message><source>Search for boards at all device numbers. No settings change</source>
         <translation>Demander pour chaque numéro d'appareil quelle carte le possède ; rien n'est modifié</translation></message>
     <message><source>Give the selected board another device number</source>
         <translation>Donner un autre numéro d'appareil à la carte sélectionnée</translation></message>
     <message><source>Drive several boards as one robot, with one pad and one Stop</source>
         <translation>Conduire plusieurs cartes comme un seul robot, avec une zone et un arrêt</translation></message>
-    <message><source>The line is first searched for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be found. Then a snapshot is saved, and the new number takes effect at once.</source>
+    <message><source>Drive alone</source>
+        <translation>Conduire seule</translation></message>
+    <message><source>The line is first searched for the new number. If another board has this number, nothing is written. A board that is off or uses other serial settings cannot be found. If the number is free, a snapshot is saved and the new number is written. It takes effect at once.</source>
         <translation>Avant l'écriture, le nouveau numéro est demandé sur la liaison : si une autre carte le possède, rien n'est écrit. Une carte hors tension, ou qui a d'autres réglages série, ne peut pas être détectée. Le nouveau numéro prend effet immédiatement, et un instantané est enregistré d'abord.</translation></message>
     <message><source>Progress of the search</source>
         <translation>Progression de la recherche</translation></message>
@@ -2845,15 +2847,13 @@
         <translation>Modifier le numéro…</translation></message>
     <message><source>Drive together…</source>
         <translation>Conduire ensemble…</translation></message>
-    <message><source>Drive alone</source>
-        <translation>Conduire seule</translation></message>
     <message><source>Boards on this line</source>
         <translation>Cartes sur cette liaison</translation></message>
-    <message><source>It replied before. Check its power and its wires.</source>
+    <message><source>The board replied before. Check its power and its wires.</source>
         <translation>Elle a répondu auparavant. Vérifiez son alimentation et son câblage.</translation></message>
-    <message><source>Several boards seem to have this number. Switch off all but one, and give that board its own number.</source>
+    <message><source>More than one board seems to have this number. Switch off all of them except one, and give that board a different number.</source>
         <translation>Plusieurs cartes semblent avoir ce numéro. Coupez l'alimentation de toutes sauf une, et donnez à celle-ci son propre numéro.</translation></message>
-    <message><source>The board has this number already.</source>
+    <message><source>The board already has this number.</source>
         <translation>La carte a déjà ce numéro.</translation></message>
     <message><source>armed</source>
         <translation>moteurs activés</translation></message>
@@ -2907,11 +2907,11 @@
         <translation>non essayée</translation></message>
     <message><source>Changes</source>
         <translation>Modifications</translation></message>
-    <message><source>The checked boards get these settings one after another, each after a snapshot. Each board keeps its device number and its serial settings. Writing ends at the first error.</source>
+    <message><source>The settings are written to the checked boards one after another. A snapshot of each board is saved first. Each board keeps its device number and its serial settings. Writing stops at the first error.</source>
         <translation>Chaque carte cochée reçoit ces réglages, l'une après l'autre, avec un instantané au préalable. Chacune garde son numéro d'appareil et ses réglages série. La première erreur d'écriture met fin à l'opération.</translation></message>
     <message><source>Close</source>
         <translation>Fermer</translation></message>
-    <message><source>Ended because Stop was pressed.</source>
+    <message><source>Writing ended because Stop was pressed.</source>
         <translation>L'arrêt a été demandé, ce qui a mis fin à l'opération.</translation></message>
     <message numerus="yes"><source>Written to %n board(s).</source>
         <translation><numerusform>Écrit dans %n carte.</numerusform><numerusform>Écrit dans %n cartes.</numerusform></translation></message>
@@ -2923,13 +2923,13 @@
         <translation><numerusform>%n carte omise ; voir la colonne « Résultat ».</numerusform><numerusform>%n cartes omises ; voir la colonne « Résultat ».</numerusform></translation></message>
     <message><source>Board {0}</source>
         <translation>Carte {0}</translation></message>
-    <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
+    <message><source>{0}: beyond a limit that no document confirms (inferred). The board may reject the value or store a different value.</source>
         <translation>{0} : au-delà d'une limite qu'aucun document ne confirme (déduit). C'est la carte qui décide : elle peut rejeter la valeur, ou en enregistrer une autre.</translation></message>
     <message><source>Write an&amp;yway</source>
         <translation>Écrire &amp;quand même</translation></message>
     <message><source>{0}, firmware {1}</source>
         <translation>{0}, firmware {1}</translation></message>
-    <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
+    <message><source>The file is for a {0}, and the board is a {1}. Checked changes become edits.</source>
         <translation>Pour un {0} ; la carte est un {1}. Les changements cochés deviennent des modifications.</translation></message>
     <message numerus="yes"><source>{0}: %n change(s) pending. Review them, then write.</source>
         <translation><numerusform>{0} : %n modification en attente ; vérifiez-la pour l'écrire.</numerusform><numerusform>{0} : %n modifications en attente ; vérifiez-les pour les écrire.</numerusform></translation></message>
@@ -2937,7 +2937,7 @@
         <translation>&amp;Modifier plutôt le fichier</translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n réglage diffère, {0} identiques.</numerusform><numerusform>%n réglages diffèrent, {0} identiques.</numerusform></translation></message>
-    <message><source>Opens the converted settings as a new file, with the comments of this one. {0} stays as it is.</source>
+    <message><source>Opens the converted settings as a new file with the same comments. {0} is not changed.</source>
         <translation>Ouvre les réglages convertis dans un nouveau fichier, avec les commentaires de celui-ci. {0} reste inchangé.</translation></message>
     <message><source>&amp;Convert</source>
         <translation>&amp;Convertir</translation></message>
@@ -2951,7 +2951,7 @@
         <translation>Convertir &amp;pour :</translation></message>
     <message><source>Board, as shown</source>
         <translation>Carte, telle qu'affichée</translation></message>
-    <message><source>Not in the file, so they stay as they are: {0}.</source>
+    <message><source>Not in the file and therefore unchanged: {0}.</source>
         <translation>Absents du fichier, donc inchangés : {0}.</translation></message>
     <message><source>Convert {0}</source>
         <translation>Convertir {0}</translation></message>
@@ -2967,13 +2967,13 @@
         <translation><numerusform>%n valeur copiée depuis {0}.</numerusform><numerusform>%n valeurs copiées depuis {0}.</numerusform></translation></message>
     <message><source>For a {0}</source>
         <translation>Pour un {0}</translation></message>
-    <message><source>Resets every parameter with the board's own command, at its next start</source>
+    <message><source>Resets every parameter with the board's own reset command when the board next starts</source>
         <translation>Réinitialise tous les paramètres par la commande de la carte, à son prochain démarrage</translation></message>
     <message><source>&amp;Let the board reset itself…</source>
         <translation>&amp;Laisser la carte se réinitialiser…</translation></message>
-    <message><source>At its next start the board will reset every parameter, including those cleared here. Its current settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
+    <message><source>At its next start the board will reset every parameter, including the unchecked ones. The current settings of the board are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
         <translation>À son prochain démarrage, la carte réinitialisera tous les paramètres, y compris ceux décochés ici. Ses réglages actuels sont d'abord sauvegardés (Fichier, Historique). Les modifications non appliquées sont abandonnées ; « Annuler » les restaure.</translation></message>
-    <message><source>It would get device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+    <message><source>The board would get device number {0}, which another board on this line already has. Both would reply at the same time, and neither could be read. Give the other board a different number first.</source>
         <translation>Elle prendra le numéro d'appareil {0}, qu'une autre carte de cette liaison porte déjà : les deux répondraient en même temps et aucune ne serait lisible. Donnez d'abord un autre numéro à cette autre carte.</translation></message>
     <message numerus="yes"><source>Write %n setting(s) to the board</source>
         <translation><numerusform>Écrire %n réglage dans la carte</numerusform><numerusform>Écrire %n réglages dans la carte</numerusform></translation></message>
@@ -2989,7 +2989,7 @@
         <translation>Réinitialiser la &amp;carte</translation></message>
     <message><source>{0} of {1}: {2}</source>
         <translation>{0} sur {1} : {2}</translation></message>
-    <message><source>{0} of {1} could not be verified; still pending.</source>
+    <message><source>{0} of {1} settings could not be verified and are still pending.</source>
         <translation>{0} sur {1} n'ont pas pu être vérifiés ; ils restent en attente.</translation></message>
     <message><source>The value that was being written when the connection was lost may be the old one, the new one or, after a power cut, the default. It will be read again.</source>
         <translation>La valeur en cours d'écriture au moment de la perte de connexion peut être l'ancienne, la nouvelle ou, après une coupure d'alimentation, la valeur par défaut. Elle sera relue.</translation></message>
@@ -2997,11 +2997,11 @@
         <translation>Avant</translation></message>
     <message numerus="yes"><source>%n setting(s) written and verified.</source>
         <translation><numerusform>%n réglage écrit et vérifié.</numerusform><numerusform>%n réglages écrits et vérifiés.</numerusform></translation></message>
-    <message><source>Saving a snapshot. Nothing is written yet.</source>
+    <message><source>Saving a snapshot. Nothing has been written yet.</source>
         <translation>Enregistrement d'un instantané. Rien n'est encore écrit.</translation></message>
     <message><source>No board is responding. The edits are kept.</source>
         <translation>Aucune carte ne répond. Les modifications sont conservées.</translation></message>
-    <message><source>The board will reset itself at its next start and would lose what is written now. Switch it off and on first (Device, Make stored settings active).</source>
+    <message><source>The board will reset itself at its next start, and values written now would be lost. Switch the board off and on first (Device, Make stored settings active).</source>
         <translation>La carte va se réinitialiser à son prochain démarrage et perdrait ce qui serait écrit maintenant. Coupez et remettez d'abord son alimentation (Appareil, Rendre actifs les réglages enregistrés).</translation></message>
     <message><source>These calibrations stay pending until the board uses their input source again: {0}.</source>
         <translation>Ces étalonnages restent en attente jusqu'à ce que la carte utilise de nouveau leur source des entrées : {0}.</translation></message>
@@ -3031,13 +3031,13 @@
         <translation>Rouge allumée</translation></message>
     <message><source>Running, serial commands control the motors</source>
         <translation>En marche, les commandes série commandent les moteurs</translation></message>
-    <message><source>Compare the wires with the picture, then search with “Find”. Green lights while the board receives a command: if it never lights, nothing arrives.</source>
+    <message><source>Compare the wires with the picture, then search with “Find”. The green LED lights while the board receives a command. If it never lights, nothing arrives.</source>
         <translation>Comparez le câblage avec l'image, puis lancez « Rechercher… ». La LED verte s'allume pendant que la carte reçoit une commande : si elle ne s'allume jamais, rien n'arrive.</translation></message>
     <message><source>Green on, or flashing fast</source>
         <translation>Verte allumée, ou clignotant vite</translation></message>
     <message><source>Running, the channels control the motors</source>
         <translation>En marche, les voies commandent les moteurs</translation></message>
-    <message><source>As above: the board also responds in RC and analog mode. Red lights while it receives a command. Fast flashes mean safe-start; five flashes at the start show which channels are learned.</source>
+    <message><source>Proceed as above: the board also responds in RC and analog mode. The red LED lights while the board receives a command. Fast flashes mean safe-start. Five flashes at the start show which channels are learned.</source>
         <translation>Comme ci-dessus : la carte répond aussi en mode RC et en mode analogique. La LED rouge s'allume pendant qu'elle reçoit une commande. Un clignotement rapide signale le démarrage sécurisé ; cinq éclats à la mise sous tension indiquent les voies apprises.</translation></message>
     <message><source>Both blink together, or both on</source>
         <translation>Les deux clignotent ensemble ou sont allumées</translation></message>
@@ -3049,7 +3049,7 @@
         <translation>Rouge et verte en alternance</translation></message>
     <message><source>Waiting for the boot loader hand-shake</source>
         <translation>Attente de la prise de contact du chargeur d'amorçage</translation></message>
-    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. Or go on with the hand-shake for lost serial settings.</source>
+    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. If its serial settings are lost, continue with the hand-shake instead.</source>
         <translation>Coupez l'alimentation de la carte, retirez les cavaliers Mix et SO–G, et remettez l'alimentation. Ou poursuivez la prise de contact en cas de réglages série perdus.</translation></message>
     <message><source>Green flashes once a second</source>
         <translation>La verte clignote une fois par seconde</translation></message>
@@ -3071,7 +3071,7 @@
         <translation>Mettez la carte sous tension.</translation></message>
     <message><source>Red and green alternate, about once a second.</source>
         <translation>Rouge et verte en alternance, environ une fois par seconde.</translation></message>
-    <message><source>Nothing: the SO–G jumper holds its line to ground.</source>
+    <message><source>Nothing: the SO–G jumper connects SO to ground.</source>
         <translation>Rien : le cavalier SO–G maintient sa ligne à la masse.</translation></message>
     <message><source>Remove the mix jumper. Leave the power on.</source>
         <translation>Retirez le cavalier Mix. Laissez l'alimentation en marche.</translation></message>
@@ -3083,7 +3083,7 @@
         <translation>Le chargeur d'amorçage répond à chaque octet par un point d'interrogation. Les réglages série devraient maintenant être ceux d'usine.</translation></message>
     <message><source>Connect</source>
         <translation>Connecter</translation></message>
-    <message><source>Switch the board off and on, with all three jumpers removed. Then connect at 19200 baud, without parity and CRC.</source>
+    <message><source>Switch the board off and on, with all three jumpers removed. Then connect at 19200 baud, without parity or CRC.</source>
         <translation>Coupez et remettez l'alimentation de la carte, les trois cavaliers retirés. Connectez-vous ensuite à 19200 bauds, sans parité ni CRC.</translation></message>
     <message><source>Five flashes, then red stays on.</source>
         <translation>Cinq clignotements, puis la rouge reste allumée.</translation></message>
@@ -3091,7 +3091,7 @@
         <translation>Le TReX répond avec les réglages d'usine.</translation></message>
     <message><source>Restores the factory serial settings (inferred). If the LEDs alternate for only three seconds, start again.</source>
         <translation>Rétablit les réglages série d'usine (déduit). Si les LED n'alternent que pendant trois secondes, recommencez.</translation></message>
-    <message><source>19200 baud, without parity and CRC, whatever the device number</source>
+    <message><source>Connects at 19200 baud, without parity or CRC, to any device number</source>
         <translation>19200 bauds, sans parité ni CRC, quel que soit le numéro d'appareil</translation></message>
     <message><source>&amp;Connect at factory settings</source>
         <translation>&amp;Connecter avec les réglages d'usine</translation></message>
@@ -3127,7 +3127,7 @@
         <translation>{0} n'est pas une valeur valide. {1}</translation></message>
     <message><source>Enter 0 to {0}, such as 1500 µs, 1.5 ms or 3750 counts.</source>
         <translation>Entrez 0 à {0}, par exemple 1500 µs, 1,5 ms ou 3750 counts.</translation></message>
-    <message><source>The nearest that the board can store is {0}.</source>
+    <message><source>The nearest value that the board can store is {0}.</source>
         <translation>La valeur la plus proche que la carte peut enregistrer est {0}.</translation></message>
     <message><source>&amp;Turn</source>
         <translation>&amp;Rotation</translation></message>
@@ -3143,13 +3143,13 @@
         <translation>Les manches commandent les moteurs.</translation></message>
     <message><source>Safe-start: the motors wait until the sticks are centred.</source>
         <translation>Démarrage sécurisé : les moteurs attendent que les manches soient centrés.</translation></message>
-    <message><source>Off for a second: jumpers are read, stored settings take effect</source>
+    <message><source>Switches the power off for a second. At power-up, the board reads its jumpers and activates the stored settings</source>
         <translation>Coupée une seconde : les cavaliers sont lus, les réglages enregistrés prennent effet</translation></message>
     <message><source>A weak battery sags when the motors start, and the board resets</source>
         <translation>La tension d'une batterie faible chute au démarrage des moteurs, et la carte redémarre</translation></message>
     <message><source>Hold all sticks centred, as safe-start requires</source>
         <translation>Maintenir tous les manches au centre, comme l'exige le démarrage sécurisé</translation></message>
-    <message><source>The next byte reaches the board with this error; Problems counts it. Only a board with parity detects a parity error.</source>
+    <message><source>The next byte reaches the board with this error, which the Problems page counts. Only a board with parity detects a parity error.</source>
         <translation>Le prochain octet arrive à la carte avec cette erreur ; « Problèmes » la compte. Seule une carte avec parité détecte une erreur de parité.</translation></message>
     <message><source>An error of the serial line that the board reports</source>
         <translation>Une erreur de la liaison série que la carte signale</translation></message>
@@ -3163,7 +3163,7 @@
         <translation>Démarrage sécurisé : les moteurs attendent un signal sur l'entrée {0}.</translation></message>
     <message><source>Safe-start: the motors wait until channel 5 no longer requests override.</source>
         <translation>Démarrage sécurisé : les moteurs attendent que la voie 5 ne demande plus la priorité.</translation></message>
-    <message><source>Resets everything: stored settings, jumpers, sticks, loads and faults of the line</source>
+    <message><source>Resets everything: stored settings, jumpers, sticks, loads and serial line faults</source>
         <translation>Réinitialise tout : réglages enregistrés, cavaliers, manches, charges et défauts de la liaison</translation></message>
     <message><source>Power on</source><comment>state</comment>
         <translation>Sous tension</translation></message>
@@ -3173,33 +3173,33 @@
         <translation>Couper et remettre</translation></message>
     <message><source>Battery</source>
         <translation>Batterie</translation></message>
-    <message><source>Move by themselves</source>
+    <message><source>Move automatically</source>
         <translation>Mouvement automatique</translation></message>
     <message><source>All sticks swing slowly. A stick that you move stays where you put it.</source>
         <translation>Tous les manches oscillent lentement ; en déplacer un l'immobilise</translation></message>
     <message><source>Centre</source>
         <translation>Centrer</translation></message>
-    <message><source>Input {0}: {1}. A double click centres it, Delete unplugs it.</source>
+    <message><source>Input {0}: {1}. Double-click to centre the stick, or press Delete to unplug the input.</source>
         <translation>Entrée {0} : {1}. Un double clic la centre, Suppr la débranche.</translation></message>
-    <message><source>Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors</source>
+    <message><source>If the cable is unplugged, the port disappears. Serial Timeout and UART-Error Shutdown should then stop the motors</source>
         <translation>Débranché, le port disparaît : « Délai série » et « Arrêt sur erreur UART » devraient arrêter les moteurs</translation></message>
-    <message><source>The mode jumper; the board reads it when power comes on</source>
+    <message><source>The mode jumper, which the board reads at power-up</source>
         <translation>Le cavalier de mode ; la carte le lit à la mise sous tension</translation></message>
-    <message><source>The mix jumper: input 2 drives forward, input 1 turns; takes effect at once</source>
+    <message><source>The mix jumper: input 2 drives forward and input 1 turns. A change takes effect at once</source>
         <translation>Le cavalier Mix : l'entrée 2 fait avancer, l'entrée 1 fait tourner ; prend effet immédiatement</translation></message>
-    <message><source>Connects SO to ground; with Mix a power-up then learns the inputs' calibration</source>
+    <message><source>Connects SO to ground. If the mix jumper is also on, the board learns the calibration of its inputs at power-up</source>
         <translation>Relie SO à la masse ; avec Mix, une mise sous tension apprend alors l'étalonnage des entrées</translation></message>
     <message><source>Factory state</source>
         <translation>État d'usine</translation></message>
     <message><source>Mode is read at power-up; Mix takes effect at once.</source>
         <translation>Le mode est lu à la mise sous tension ; Mix prend effet immédiatement.</translation></message>
-    <message><source>The wire from SO is broken: the board executes commands, no reply arrives</source>
+    <message><source>The wire from SO is broken: the board executes commands, but no reply arrives</source>
         <translation>Le fil de SO est coupé : la carte exécute les commandes, aucune réponse n'arrive</translation></message>
-    <message><source>This share of the bytes is corrupted in either direction; CRC detects them</source>
+    <message><source>This percentage of the bytes in each direction is corrupted. CRC detects the errors</source>
         <translation>Cette proportion des octets est altérée dans chaque sens ; le CRC les détecte</translation></message>
     <message><source>Supply</source>
         <translation>Alimentation</translation></message>
-    <message><source>Error of one byte</source>
+    <message><source>Error in one byte</source>
         <translation>Erreur d'un octet</translation></message>
     <message><source>Corrupt one byte</source>
         <translation>Altérer un octet</translation></message>
@@ -3211,11 +3211,11 @@
         <translation>débranché</translation></message>
     <message><source>LEDs of the board</source>
         <translation>LED de la carte</translation></message>
-    <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
+    <message><source>Makes the driver of motor {0} shut down, as when it is hot or shorted</source>
         <translation>Le driver du moteur {0} se coupe, comme en cas de surchauffe ou de court-circuit</translation></message>
     <message><source>Load of motor {0}</source>
         <translation>Charge du moteur {0}</translation></message>
-    <message><source>The current that motor {0} draws at full speed; at the right end it stalls, which triggers current limits and faults</source>
+    <message><source>The current that motor {0} draws at full speed. At the right end of the slider, the motor stalls, which triggers current limits and faults</source>
         <translation>Le courant que consomme le moteur {0} à pleine vitesse ; à l'extrémité droite, il cale, ce qui déclenche limites de courant et défauts</translation></message>
     <message><source>Load</source>
         <translation>Charge</translation></message>
@@ -3225,7 +3225,7 @@
         <translation>Entrée {0}</translation></message>
     <message><source>Plug of input {0}</source>
         <translation>Fiche de l'entrée {0}</translation></message>
-    <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
+    <message><source>Unplug input {0}: an RC input becomes invalid after 0.1 s</source>
         <translation>Débrancher l'entrée {0} : une entrée RC devient non valide 0,1 s plus tard</translation></message>
     <message><source>switched off</source>
         <translation>coupée</translation></message>
@@ -3239,7 +3239,7 @@
         <translation>Accepter</translation></message>
     <message><source>Show line {0}</source>
         <translation>Afficher la ligne {0}</translation></message>
-    <message><source>One pad, one arming and one Stop drive these boards as one robot. A board that no longer follows stops the others.</source>
+    <message><source>These boards are armed, driven and stopped together as one robot. If one board no longer follows, the others stop.</source>
         <translation>Une zone, une activation et un arrêt conduisent ces cartes comme un seul robot. Une carte qui ne suit plus arrête les autres.</translation></message>
     <message><source>&amp;Drive together</source>
         <translation>&amp;Conduire ensemble</translation></message>
@@ -3253,17 +3253,17 @@
         <translation>Carte {0}, moteur {1}</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
-    <message><source>Name the snapshot (or double-click it): it is then never deleted automatically</source>
+    <message><source>Name the snapshot (or double-click it). A named snapshot is never deleted automatically</source>
         <translation>Celui qui a un nom est conservé, quel que soit le nombre des suivants ; aussi avec un double clic</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Enregistrer une copie comme fichier de réglages</translation></message>
     <message><source>There are no snapshots yet.
 
-Before settings are applied or defaults restored, in this window or with trexcmd, everything that the board stores is saved here. You can compare a snapshot with the board and restore all or part of it.</source>
+Before this program or trexcmd applies settings or restores defaults, all settings of the board are saved here. You can compare a snapshot with the board and restore some or all of its settings.</source>
         <translation>Il n'y a pas encore d'instantanés.
 
 Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans cette fenêtre ou avec trexcmd, tout ce que la carte contient est enregistré ici. Vous pouvez comparer un instantané avec la carte et le restaurer en tout ou en partie.</translation></message>
-    <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest of {0}?</source>
+    <message numerus="yes"><source>Permanently delete %n snapshot(s), the newest from {0}?</source>
         <translation><numerusform>Supprimer définitivement %n instantané ({0}) ?</numerusform><numerusform>Supprimer définitivement %n instantanés (le plus récent : {0}) ?</numerusform></translation></message>
     <message><source>Search snapshots</source>
         <translation>Rechercher dans les instantanés</translation></message>
@@ -3283,7 +3283,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Une copie a été enregistrée dans {0}.</translation></message>
     <message><source>Nothing was saved. {0}</source>
         <translation>Rien n'a été enregistré. {0}</translation></message>
-    <message><source>Push every stick forward or right first, all the way; then the other way. Move switches to all positions. Hold each end until it is ticked, then click Next.</source>
+    <message><source>Push every stick all the way forward or right first, then all the way in the other direction. Move every switch to all its positions. Hold each end position until it is ticked, then click Next.</source>
         <translation>Poussez d'abord chaque manche à fond vers l'avant ou vers la droite, puis dans l'autre sens. Mettez les interrupteurs dans toutes leurs positions. Maintenez chaque extrémité jusqu'à l'apparition de sa coche, puis cliquez sur « Suivant ».</translation></message>
     <message><source>This takes at least {0:.1f} s: at {1} baud only {2:.1f} measurements arrive per second.</source>
         <translation>Cela prend au moins {0:.1f} s : à {1} bauds, seules {2:.1f} mesures arrivent par seconde.</translation></message>
@@ -3301,7 +3301,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Aucune voie n'est sélectionnée.</translation></message>
     <message><source>The board would reject the values of channel {0}: change them, or clear its check box.</source>
         <translation>La carte rejetterait les valeurs de la voie {0} : modifiez-les, ou décochez sa case.</translation></message>
-    <message><source>Check the new values. Nothing is written yet.</source>
+    <message><source>Check the new values. Nothing has been written yet.</source>
         <translation>Vérifiez les nouvelles valeurs. Rien n'est encore écrit.</translation></message>
     <message><source>Stop the motors</source>
         <translation>Arrêter les moteurs</translation></message>
@@ -3311,7 +3311,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémités</translation></message>
     <message><source>Review</source>
         <translation>Vérifier</translation></message>
-    <message><source>The new values are in the board. To test them, the motors must be stopped first.</source>
+    <message><source>The new values are in the board. Stop the motors to test the values.</source>
         <translation>Les nouvelles valeurs sont dans la carte. Leur test doit d'abord arrêter les moteurs.</translation></message>
     <message><source>Sample &amp;again</source>
         <translation>Re&amp;faire la mesure</translation></message>
@@ -3335,7 +3335,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Les moteurs sont à l'arrêt : &amp;continuer</translation></message>
     <message><source>Try &amp;again</source>
         <translation>Réess&amp;ayer</translation></message>
-    <message><source>Stopping the motors. The board has to confirm the stop.</source>
+    <message><source>Stopping the motors. The board must confirm the stop.</source>
         <translation>Arrêt des moteurs. La carte doit confirmer l'arrêt.</translation></message>
     <message><source>Hands off. Sampling … {0:.1f} s</source>
         <translation>Lâchez les manches. Mesure … {0:.1f} s</translation></message>
@@ -3351,7 +3351,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémité {0} : atteinte</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Extrémité {0} : pas nécessaire</translation></message>
-    <message><source>Calculated from the values in the board, for each channel on its own. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end (inferred).</source>
+    <message><source>Calculated from the values in the board, separately for each channel. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end (inferred).</source>
         <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. Deux hypothèses : une sortie jusqu'à 8 sur 127 compte comme neutre, et les interrupteurs basculent à mi-chemin entre le neutre et l'extrémité (déduit).</translation></message>
     <message><source>Hold this position …</source>
         <translation>Maintenez cette position …</translation></message>
@@ -3371,7 +3371,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Atteint : {0}.</translation></message>
     <message><source>at rest: {0}, noise {1}</source>
         <translation>au repos : {0}, bruit {1}</translation></message>
-    <message numerus="yes"><source>%n earlier pending edit(s) will be written, too.</source>
+    <message numerus="yes"><source>%n earlier pending edit(s) will also be written.</source>
         <translation><numerusform>%n modification antérieure en attente sera également écrite.</numerusform><numerusform>%n modifications antérieures en attente seront également écrites.</numerusform></translation></message>
     <message><source>Input now {0}; output {1}.</source>
         <translation>Entrée actuelle {0} ; sortie {1}.</translation></message>
@@ -3393,7 +3393,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>proposé</translation></message>
     <message><source>as it was</source>
         <translation>avant</translation></message>
-    <message><source>Its new values will be used.</source>
+    <message><source>The new values of this channel will be used.</source>
         <translation>Ses nouvelles valeurs seront utilisées.</translation></message>
     <message><source>The channel was left out.</source>
         <translation>La voie a été omise.</translation></message>
@@ -3405,7 +3405,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Pas de signal actuellement : la sortie est à 0.</translation></message>
     <message><source>Nothing was learned.</source>
         <translation>Rien n'a été appris.</translation></message>
-    <message><source>Keeps its old values.</source>
+    <message><source>This channel keeps its old values.</source>
         <translation>Garde ses anciennes valeurs.</translation></message>
     <message><source>Check this channel.</source>
         <translation>Vérifiez cette voie.</translation></message>
@@ -3421,9 +3421,9 @@ avant {1}</translation></message>
         <translation>{0} de la voie {1}</translation></message>
     <message><source>These settings must match those of the board. A new board uses 19200 baud, no error detection and one stop bit. Changing them here does not change the board.</source>
         <translation>Ce doivent être les réglages que la carte a actuellement. Une carte neuve communique à 19200 bauds, sans détection d'erreurs, avec un bit d'arrêt. Les modifier ici ne change rien dans la carte.</translation></message>
-    <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
+    <message><source>&amp;Address one board by its device number (Pololu protocol)</source>
         <translation>Adresser une &amp;carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
-    <message><source>Device numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If you enter any, every packet has an address, none is sent to these numbers, and no other baud rate is tried.</source>
+    <message><source>Device numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If you enter numbers, every packet has an address, no packet is sent to these numbers, and no other baud rate is tried.</source>
         <translation>Numéros d'autres appareils sur cette liaison, par exemple 0,1 (anciens contrôleurs de moteurs et de servos Pololu). Dès qu'il y en a un, chaque paquet est adressé, à aucun de ces numéros, et aucun autre débit n'est essayé.</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Liaison :</translation></message>
@@ -3465,7 +3465,7 @@ avant {1}</translation></message>
         <translation>Désa&amp;ctiver</translation></message>
     <message><source>A&amp;rm motors</source>
         <translation>&amp;Activer les moteurs</translation></message>
-    <message><source>Lets both motors and the auxiliary be driven; nothing moves yet</source>
+    <message><source>Allows both motors and the auxiliary to be driven. Nothing moves yet</source>
         <translation>Permet de piloter les deux moteurs et l'auxiliaire ; rien ne bouge encore</translation></message>
     <message><source>Channels control the motors: Stop does not affect them.</source>
         <translation>Les voies commandent les moteurs : « Arrêter les moteurs » n'agit pas sur eux.</translation></message>
@@ -3495,17 +3495,17 @@ avant {1}</translation></message>
         <translation>Doux près du neutre, raide près des extrémités</translation></message>
     <message><source>I&amp;gnored</source>
         <translation>I&amp;gnorée</translation></message>
-    <message><source>Held at neutral whatever the input; for channels without a cable</source>
+    <message><source>Holds the channel at neutral regardless of its input. For channels without a cable</source>
         <translation>Maintenue au neutre quelle que soit l'entrée ; pour les voies sans câble</translation></message>
     <message><source>Re&amp;quired in RC mode</source>
         <translation>&amp;Requise en mode RC</translation></message>
-    <message><source>The motors stop when its pulses are missing for half a second</source>
+    <message><source>The motors stop when the pulses of this channel are missing for half a second</source>
         <translation>Les moteurs s'arrêtent quand ses impulsions manquent pendant une demi-seconde</translation></message>
     <message><source>Read the other input source</source>
         <translation>Lire l'autre source des entrées</translation></message>
     <message><source>Ma&amp;ke active…</source>
         <translation>Rendre act&amp;if…</translation></message>
-    <message><source>Its values have not been read yet.</source>
+    <message><source>The values of this input source have not been read yet.</source>
         <translation>Ses valeurs n'ont pas encore été lues.</translation></message>
     <message><source>Ne&amp;utral</source>
         <translation>Ne&amp;utre</translation></message>
@@ -3517,7 +3517,7 @@ avant {1}</translation></message>
         <translation>État des valeurs ci-dessous : {0}.</translation></message>
     <message><source>Read {0} after the next power cycle</source>
         <translation>Lire {0} après la prochaine coupure et remise de l'alimentation</translation></message>
-    <message><source>Edited: apply it, then power-cycle the board to read {0}.</source>
+    <message><source>Edited: apply the change, then power-cycle the board to read {0}.</source>
         <translation>Modifié : appliquez, puis coupez et remettez l'alimentation de la carte pour qu'elle lise : {0}.</translation></message>
     <message><source>Neutral</source>
         <translation>Neutre</translation></message>
@@ -3563,7 +3563,7 @@ avant {1}</translation></message>
         <translation>Les entrées sont lues comme {0}. Les commandes série ont maintenant priorité.</translation></message>
     <message><source>Discard edits of channel {0}</source>
         <translation>Abandonner les modifications de la voie {0}</translation></message>
-    <message><source>Copy of the calibration of channel {0}</source>
+    <message><source>Copy calibration of channel {0}</source>
         <translation>Copie de l'étalonnage de la voie {0}</translation></message>
     <message><source>learned</source>
         <translation>apprise</translation></message>
@@ -3577,7 +3577,7 @@ avant {1}</translation></message>
         <translation>Connectez une carte pour voir les courants de ses moteurs.</translation></message>
     <message><source>Motor currents</source>
         <translation>Courants des moteurs</translation></message>
-    <message><source>No board is connected. Select a port at the top of the main window and press Connect; without hardware, select the demo board.</source>
+    <message><source>No board is connected. Select a port at the top of the main window and press Connect. If you have no hardware, select the demo board.</source>
         <translation>Aucune carte n'est connectée. Choisissez un port en haut de la fenêtre principale et cliquez sur « Connecter » ; sans matériel, choisissez la carte de démo.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Mode jumelé : la carte ne mesure pas les courants.</translation></message>
@@ -3587,7 +3587,7 @@ avant {1}</translation></message>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
     <message><source>Reset all counts and error times</source>
         <translation>Remettre tous les compteurs à zéro et oublier quand les erreurs ont été vues</translation></message>
-    <message><source>The board came back in another mode, so its power was off in the meantime. A restart in the same mode is not reported. Returned after silence: {0}.</source>
+    <message><source>A restart is detected if the board comes back in another mode, because its power was off in the meantime. A restart in the same mode is not detected. Returns after silence: {0}.</source>
         <translation>La carte est revenue dans un autre mode, son alimentation a donc été coupée entre-temps ; elle ne signale pas un redémarrage dans le même mode. Retours après silence : {0}.</translation></message>
     <message><source>Reset all co&amp;unts</source>
         <translation>Remettre les compteurs à &amp;zéro</translation></message>
@@ -3595,7 +3595,7 @@ avant {1}</translation></message>
         <translation>Lectures par seconde</translation></message>
     <message><source>Connected for</source>
         <translation>Connecté depuis</translation></message>
-    <message><source>The line is noisy and has no CRC: a corrupted reply looks the same.</source>
+    <message><source>The line is noisy and has no CRC, so a corrupted reply can look like this error.</source>
         <translation>La liaison est bruitée et n'a pas de CRC : une réponse altérée y ressemble.</translation></message>
     <message><source>Latched before connecting, perhaps by a search for the board; not counted.</source>
         <translation>Mémorisée avant la connexion, peut-être par la recherche de la carte ; non comptée.</translation></message>
@@ -3603,7 +3603,7 @@ avant {1}</translation></message>
         <translation>{0}, active, arrête les moteurs</translation></message>
     <message><source>Answered, last {0:.0f} s</source>
         <translation>Réponses, dernières {0:.0f} s</translation></message>
-    <message><source>{0}, over</source>
+    <message><source>{0}, no longer active</source>
         <translation>{0}, terminée</translation></message>
     <message><source>⚠ means 80 % of the limit or more.</source>
         <translation>⚠ signifie 80 % de la limite ou plus.</translation></message>
@@ -3625,7 +3625,7 @@ avant {1}</translation></message>
         <translation>Jusqu'à {0}, la vitesse maximale</translation></message>
     <message><source>Hold an arrow key to drive while the pad has the focus.</source>
         <translation>Maintenez une touche fléchée pour piloter tant que le pavé a le focus.</translation></message>
-    <message><source>Hold Up or Down to drive; the motors cannot turn separately.</source>
+    <message><source>Hold Up or Down to drive. The motors cannot be driven separately.</source>
         <translation>Maintenez Haut ou Bas pour piloter ; les moteurs ne peuvent pas tourner séparément.</translation></message>
     <message><source>At rest.</source>
         <translation>Au repos.</translation></message>
@@ -3649,7 +3649,7 @@ avant {1}</translation></message>
         <translation>Affectation</translation></message>
     <message><source>One axis drives, the other turns</source>
         <translation>Un axe fait avancer, l'autre tourner</translation></message>
-    <message><source>An axis for each motor</source>
+    <message><source>One axis for each motor</source>
         <translation>Un axe par moteur</translation></message>
     <message><source>&amp;Hold to drive</source>
         <translation>&amp;Maintenir pour piloter</translation></message>
@@ -3661,9 +3661,9 @@ avant {1}</translation></message>
         <translation>&amp;Zone morte :</translation></message>
     <message><source>&amp;Expo:</source>
         <translation>&amp;Expo :</translation></message>
-    <message><source>Without a button to hold, a bumped stick drives the motors. The gamepad cannot drive while this window is open.</source>
+    <message><source>Without a hold button, bumping a stick drives the motors. The gamepad cannot drive while this window is open.</source>
         <translation>Sans bouton à maintenir, un manche heurté fait tourner les moteurs. La manette ne peut pas piloter tant que cette fenêtre est ouverte.</translation></message>
-    <message><source>none: a moved stick drives</source>
+    <message><source>none: moving a stick drives</source>
         <translation>aucun : un manche déplacé fait tourner les moteurs</translation></message>
     <message><source>Live state</source>
         <translation>État en direct</translation></message>
@@ -3685,7 +3685,7 @@ avant {1}</translation></message>
         <translation>Piloter avec une manette</translation></message>
     <message><source>Set &amp;up…</source>
         <translation>&amp;Configurer…</translation></message>
-    <message><source>Stop behi&amp;nd other windows</source>
+    <message><source>Stop when behi&amp;nd another window</source>
         <translation>Arrêter derrière d'autr&amp;es fenêtres</translation></message>
     <message><source>The gamepad is being set up and cannot drive.</source>
         <translation>La manette est en cours de configuration et ne peut pas piloter.</translation></message>
@@ -3693,29 +3693,29 @@ avant {1}</translation></message>
         <translation>La manette ne pilote que tant que la page Moteurs est ouverte.</translation></message>
     <message><source>Another window is in front, so the gamepad cannot drive.</source>
         <translation>Une autre fenêtre est au premier plan : la manette ne peut pas piloter.</translation></message>
-    <message><source>Stop what the gamepad drives when the window loses the focus</source>
+    <message><source>Stop the motors that the gamepad drives when the window loses the focus</source>
         <translation>Arrêter ce que pilote la manette quand la fenêtre perd le focus</translation></message>
-    <message><source>Highest speed that this program sends to this board; full deflection of pad, keys and gamepad gives this speed. Raising it does not speed up a running motor.</source>
+    <message><source>Maximum speed that this program sends to this board. Full deflection of the pad, the keys or the gamepad gives this speed. Raising the ceiling does not speed up a running motor.</source>
         <translation>Vitesse la plus élevée que ce programme envoie à cette carte ; la pleine course du pavé, des touches et de la manette donne cette vitesse. L'augmenter n'accélère pas un moteur en marche.</translation></message>
     <message><source>&amp;Speed ceiling</source>
         <translation>&amp;Vitesse maximale</translation></message>
-    <message><source>Raise it once the motors turn the right way.</source>
+    <message><source>Raise the ceiling once the motors turn the right way.</source>
         <translation>À augmenter quand le sens de rotation est bon.</translation></message>
-    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists; sliders then get no arrow keys. In the pad they always drive.</source>
+    <message><source>Held keys drive wherever the focus is on this page, except in number fields, tables and lists. Arrow keys then no longer move the sliders. While the pad has the focus, keys always drive.</source>
         <translation>Les touches maintenues pilotent où que soit le focus sur cette page, sauf dans les champs numériques, les tableaux et les listes ; les curseurs ne reçoivent alors pas les touches fléchées. Dans le pavé, elles pilotent toujours.</translation></message>
     <message><source>Both motors &amp;linked</source>
         <translation>Les deu&amp;x moteurs liés</translation></message>
     <message><source>Either slider sets both motors, so the robot does not turn</source>
         <translation>L'un ou l'autre curseur règle les deux moteurs ; le robot ne tourne pas</translation></message>
-    <message><source>The motors run differently: stop both, or give both the same speed</source>
+    <message><source>The motors run at different speeds: stop both, or set both to the same speed</source>
         <translation>Les moteurs tournent différemment : arrêtez-les tous les deux ou donnez-leur la même vitesse</translation></message>
     <message><source>Accelerate along the board's ra&amp;mp</source>
         <translation>Accélérer &amp;selon la rampe de la carte</translation></message>
     <message><source>The board ramps speeds at the Acceleration setting and pauses for the brake duration before reversing</source>
         <translation>La carte fait varier les vitesses selon le réglage « Accélération » et marque une pause de la durée de freinage avant d'inverser le sens</translation></message>
-    <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
+    <message><source>Bypasses the ramp and the brake duration, and briefly the current limit</source>
         <translation>Contourne la rampe et la durée de freinage, et aussi, un instant, la limite de courant</translation></message>
-    <message><source>Strength of Brake, and of releasing the pad, a key or a held slider; Stop always brakes fully</source>
+    <message><source>Strength of braking with the Brake button, and after you release the pad, a key or a held slider. Stop always brakes fully</source>
         <translation>Force du freinage par « Freiner » et au relâchement du pavé, des touches et des curseurs maintenus ; l'arrêt freine toujours à fond</translation></message>
     <message><source>&amp;Brake strength</source>
         <translation>Intensité du freina&amp;ge</translation></message>
@@ -3727,7 +3727,7 @@ avant {1}</translation></message>
         <translation>Arrêter les deux moteurs et l'auxiliaire quand une autre page est affichée ou que la fenêtre est réduite</translation></message>
     <message><source>Sliders return to &amp;zero</source>
         <translation>Curseurs remis à &amp;zéro</translation></message>
-    <message><source>A slider drives only while you hold it; letting go brakes its motor</source>
+    <message><source>A slider drives its motor only while you hold the slider. Releasing the slider brakes the motor</source>
         <translation>Un curseur ne fait tourner son moteur que tant que vous le tenez ; le relâcher freine le moteur</translation></message>
     <message><source>Drive with</source>
         <translation>Piloter avec</translation></message>
@@ -3789,9 +3789,9 @@ avant {1}</translation></message>
         <translation>&amp;Essayer cette valeur</translation></message>
     <message><source>Selected parameter</source>
         <translation>Paramètre sélectionné</translation></message>
-    <message><source>{0}. The board stores the nearest time. Or speed steps, such as {1}.</source>
+    <message><source>{0}, or speed steps such as {1}. The board stores the nearest time.</source>
         <translation>{0}. La carte enregistre le temps le plus proche. Ou en pas de vitesse, par exemple {1}.</translation></message>
-    <message><source>The PWM frequency is {0}, not {1}.</source>
+    <message><source>The PWM frequency must be {0}, not {1}.</source>
         <translation>La fréquence PWM est {0}, et non {1}.</translation></message>
     <message><source>Baud rate</source>
         <translation>Débit (bauds)</translation></message>
@@ -3807,7 +3807,7 @@ avant {1}</translation></message>
         <translation>{0} : voie {1}</translation></message>
     <message><source>Search parameters</source>
         <translation>Rechercher des paramètres</translation></message>
-    <message><source>Edit, then review. Nothing is written before that.</source>
+    <message><source>Edit, then review. Nothing is written before the review.</source>
         <translation>Modifiez, puis vérifiez. Rien n'est écrit avant.</translation></message>
     <message><source>&amp;Show all parameters</source>
         <translation>&amp;Afficher tous les paramètres</translation></message>
@@ -3833,15 +3833,15 @@ avant {1}</translation></message>
         <translation>{0} : les moteurs s'arrêtent.</translation></message>
     <message><source>{0}: the motors may not stop.</source>
         <translation>{0} : les moteurs ne s'arrêtent peut-être pas.</translation></message>
-    <message><source>Speed after an accelerate command: {0}. It slows down at once.</source>
+    <message><source>Speed after an accelerate command: {0}. The motor slows down at once.</source>
         <translation>Vitesse après une commande d'accélération : {0}. Le ralentissement est immédiat.</translation></message>
     <message><source>Reversal by an accelerate command: {0}, then the ramp.</source>
         <translation>Inversion par une commande d'accélération : {0}, puis la rampe.</translation></message>
-    <message><source>Current of a motor that starts, limit: {0}</source>
+    <message><source>Current of a starting motor, limit: {0}</source>
         <translation>Courant d'un moteur qui démarre, limite : {0}</translation></message>
     <message><source>{0}: the motors keep running.</source>
         <translation>{0} : les moteurs continuent de tourner.</translation></message>
-    <message><source>Speed over the stick, brake in the deadband: {0}</source>
+    <message><source>Speed against the stick position, brake in the deadband: {0}</source>
         <translation>Vitesse selon le manche, freinage en zone morte : {0}</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Annule&amp;r</translation></message>
@@ -3875,17 +3875,17 @@ avant {1}</translation></message>
         <translation>Coupez l'alimentation de la carte pendant au moins une seconde. Attente que la carte cesse de répondre …</translation></message>
     <message><source>The board still responds. A short interruption is not detected: leave the power off for a full second.</source>
         <translation>La carte répond encore. Une coupure brève n'est pas détectée : laissez l'alimentation coupée une seconde entière.</translation></message>
-    <message><source>Switch it on again. Waiting for it to respond again …</source>
+    <message><source>Switch the board on again. Waiting for the board to respond …</source>
         <translation>Remettez-la sous tension. Attente qu'elle réponde de nouveau …</translation></message>
     <message><source>The board is still not responding. Check its power and the cable. If both are fine, disconnect and press “Find…”, which tries every setting.</source>
         <translation>La carte ne répond toujours pas. Vérifiez son alimentation et le câble. Si les deux sont en ordre, déconnectez et cliquez sur « Rechercher… », qui essaie tous les réglages.</translation></message>
-    <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
+    <message><source>The connection was closed. Switch the board off and on, then connect again. If that fails, press “Find…”, which tries every setting.</source>
         <translation>La liaison a été fermée. Coupez et remettez l'alimentation de la carte, puis reconnectez ; « Rechercher… » essaie tous les réglages.</translation></message>
-    <message><source>Connected again. The program cannot detect whether the board was switched off in the meantime: confirm it, or switch the board off and on now.</source>
+    <message><source>Connected again. The program cannot detect whether the board was switched off in the meantime. Confirm that it was, or switch the board off and on now.</source>
         <translation>De nouveau connecté. Le programme ne peut pas détecter si l'alimentation de la carte a été coupée entre-temps : confirmez-le, ou coupez et remettez son alimentation maintenant.</translation></message>
     <message><source>The board is back, and all stored settings are active.</source>
         <translation>La carte est de retour et tous les réglages enregistrés sont actifs.</translation></message>
-    <message><source>I have &amp;switched it off and on</source>
+    <message><source>I have &amp;switched the board off and on</source>
         <translation>J'ai &amp;coupé et remis l'alimentation</translation></message>
     <message><source>Switch off</source>
         <translation>Couper</translation></message>
@@ -3899,7 +3899,7 @@ avant {1}</translation></message>
         <translation>La carte est de retour, mais ces réglages ne sont toujours pas actifs : {0}.</translation></message>
     <message><source>The program then reconnects at {0}.</source>
         <translation>Le programme se reconnecte ensuite à {0}.</translation></message>
-    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
+    <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore them as pending edits?</source>
         <translation><numerusform>Modifié auparavant mais pas appliqué : %n réglage de ce {0} ({1}). Le restaurer comme modification en attente ?</numerusform><numerusform>Modifiés auparavant mais pas appliqués : %n réglages de ce {0} ({1}). Les restaurer comme modifications en attente ?</numerusform></translation></message>
     <message><source>Settings are still being written. Close anyway? Unwritten settings are offered when the board is connected again.</source>
         <translation>Des réglages sont encore en cours d'écriture. Fermer quand même ? Les réglages non écrits seront proposés quand la carte sera de nouveau connectée.</translation></message>
@@ -3909,7 +3909,7 @@ avant {1}</translation></message>
         <translation>Vérifier et appliquer…</translation></message>
     <message><source>There are unapplied changes.</source>
         <translation>Il y a des modifications non appliquées.</translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from the last applied values ({1}): lost, changed by another program, or this is another board.</source>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from the last applied values ({1}). They were lost or changed by another program, or this is another board.</source>
         <translation><numerusform>%n réglage de ce {0} diffère de ce qui a été appliqué en dernier ({1}) : perdu, modifié par autre chose, ou c'est une autre carte.</numerusform><numerusform>%n réglages de ce {0} diffèrent de ce qui a été appliqué en dernier ({1}) : perdus, modifiés par autre chose, ou c'est une autre carte.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Garder les valeurs de la carte</translation></message>
@@ -3919,7 +3919,7 @@ avant {1}</translation></message>
         <translation>{0} demande à piloter. Céder arrête les moteurs.</translation></message>
     <message><source>Hand over</source>
         <translation>Céder</translation></message>
-    <message><source>{0} drives. Taking over stops the motors.</source>
+    <message><source>{0} is driving. Taking over stops the motors.</source>
         <translation>{0} pilote. La reprise arrête les moteurs.</translation></message>
     <message><source>Take over</source>
         <translation>Reprendre</translation></message>
@@ -3935,15 +3935,15 @@ avant {1}</translation></message>
         <translation>Une nouvelle carte : son numéro d'appareil ne figure dans aucune ligne du registre.</translation></message>
     <message><source>Known: its device number and its calibrations are in the record.</source>
         <translation>Connue : son numéro d'appareil et ses étalonnages figurent dans le registre.</translation></message>
-    <message><source>Probably known: its device number is in the record, with other calibrations.</source>
+    <message><source>Probably known: its device number is in the record, but with other calibrations.</source>
         <translation>Probablement connue : son numéro d'appareil figure dans le registre, avec d'autres étalonnages.</translation></message>
     <message><source>skipped</source>
         <translation>passée</translation></message>
     <message><source>First device number</source>
         <translation>Premier numéro d'appareil</translation></message>
-    <message><source>The profile is a settings file. Each board gets its settings, a device number that no other board has, and a line in the record: a CSV file, extended if it exists.</source>
+    <message><source>The profile is a settings file. Each board gets the settings of the profile, a device number that no other board has, and a line in the record. The record is a CSV file. An existing file is extended.</source>
         <translation>Le profil est un fichier de réglages. Chaque carte reçoit ses réglages, un numéro d'appareil qu'aucune autre n'a, et une ligne dans le registre : un fichier CSV, complété s'il existe déjà.</translation></message>
-    <message><source>Boards have no serial number. A board whose device number is in the record keeps it.</source>
+    <message><source>Boards have no serial number. A board whose device number is in the record keeps this number.</source>
         <translation>Les cartes n'ont pas de numéro de série. Celle dont le numéro d'appareil figure dans le registre le garde.</translation></message>
     <message><source>Select…</source>
         <translation>Choisir…</translation></message>
@@ -3951,7 +3951,7 @@ avant {1}</translation></message>
         <translation>Fichiers CSV (*.csv);;Tous les fichiers (*)</translation></message>
     <message><source>Record of the boards</source>
         <translation>Registre des cartes</translation></message>
-    <message><source>Boards done</source>
+    <message><source>Finished boards</source>
         <translation>Cartes terminées</translation></message>
     <message><source>{0}, device number {1}: {2}</source>
         <translation>{0}, numéro d'appareil {1} : {2}</translation></message>
@@ -3965,7 +3965,7 @@ avant {1}</translation></message>
         <translation>Ensuite, faire tourner chaque &amp;moteur tant qu'un bouton est maintenu</translation></message>
     <message><source>Plug in a board, and switch it on.</source>
         <translation>Branchez une carte et mettez-la sous tension.</translation></message>
-    <message><source>{0}: {1}. Unplug it, and plug in the next board.</source>
+    <message><source>{0}: {1}. Unplug this board, and plug in the next board.</source>
         <translation>{0} : {1}. Débranchez-la et branchez la carte suivante.</translation></message>
     <message><source>Hold each button: does its motor turn?</source>
         <translation>Maintenez chaque bouton : son moteur tourne-t-il ?</translation></message>
@@ -3987,7 +3987,7 @@ avant {1}</translation></message>
         <translation>Profil de chaque carte</translation></message>
     <message><source>This board cannot be set up. Unplug it.</source>
         <translation>Cette carte ne peut pas être configurée. Débranchez-la.</translation></message>
-    <message><source>Connect to a board: use Connect or Find in the window.</source>
+    <message><source>Connect to a board: use Connect or Find in the main window.</source>
         <translation>Connectez une carte : avec « Connecter » ou « Rechercher » dans la fenêtre principale.</translation></message>
     <message><source>&amp;Write and check</source>
         <translation>&amp;Écrire et vérifier</translation></message>
@@ -4001,17 +4001,17 @@ avant {1}</translation></message>
         <translation>R&amp;éessayer</translation></message>
     <message><source>The wheels are &amp;off the ground</source>
         <translation>&amp;Les roues ne touchent pas le sol</translation></message>
-    <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
+    <message><source>Short, weak pulses while you hold the button with the mouse or the space bar</source>
         <translation>Impulsions courtes et faibles tant que vous le maintenez avec la souris ou la barre d'espace</translation></message>
     <message><source>Armed. The motor turns in short, weak pulses while you hold the button.</source>
         <translation>Activé. Le moteur tourne par impulsions courtes et faibles tant que vous maintenez.</translation></message>
-    <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
+    <message><source>Motor {0} is driven in pulses. Release the button to stop the motor.</source>
         <translation>Le moteur {0} tourne par impulsions. Relâchez le bouton pour l'arrêter.</translation></message>
     <message><source>Hold to turn motor {0}</source>
         <translation>Maintenir : le moteur {0} tourne</translation></message>
     <message><source>&amp;Keep 30 s around each fault and stop</source>
         <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
-    <message><source>The seconds around “{0}” were saved. File, Open fault or stop: {1}</source>
+    <message><source>The seconds around “{0}” were saved as {1} (File, Open fault or stop).</source>
         <translation>Les secondes autour de « {0} » ont été conservées. Fichier, Ouvrir un défaut ou un arrêt : {1}</translation></message>
     <message><source>The seconds around “{0}” could not be saved. {1}</source>
         <translation>Les secondes autour de « {0} » n'ont pas pu être conservées. {1}</translation></message>
@@ -4035,7 +4035,7 @@ avant {1}</translation></message>
         <translation>Roue droite, vers l'arrière</translation></message>
     <message><source>Nothing</source>
         <translation>Rien</translation></message>
-    <message><source>Robots that trexcmd serve offers on this computer and on the local network.</source>
+    <message><source>Robots that “trexcmd serve” offers on this computer and on the local network.</source>
         <translation>Servis avec trexcmd serve : par cet ordinateur, et par d'autres du réseau local.</translation></message>
     <message numerus="yes"><source>%n robot(s) stopped.</source>
         <translation><numerusform>%n robot arrêté.</numerusform><numerusform>%n robots arrêtés.</numerusform></translation></message>
@@ -4063,19 +4063,19 @@ avant {1}</translation></message>
         <translation>Aucun robot trouvé.</translation></message>
     <message><source>no board</source>
         <translation>aucune carte</translation></message>
-    <message><source>Not confirmed: {0}</source>
+    <message><source>Stop not confirmed: {0}</source>
         <translation>Non confirmé : {0}</translation></message>
-    <message><source>{0}, does not respond</source>
+    <message><source>{0}, not responding</source>
         <translation>{0}, ne répond pas</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
-    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then uses it as well. Other programs on this line must use it, too.</source>
+    <message><source>{0} is now one of the pending changes and takes effect after the board is switched off and on. This window then uses the new setting. Other programs on this line must also use the new setting.</source>
         <translation>{0} fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent l'utiliser aussi.</translation></message>
     <message><source>Discard and reload</source>
         <translation>Abandonner et recharger</translation></message>
     <message><source>&amp;Add to the file</source>
         <translation>&amp;Ajouter au fichier</translation></message>
-    <message><source>Not in the file: the board keeps its own.</source>
+    <message><source>Not in the file: the board keeps its own calibration.</source>
         <translation>Absent du fichier : la carte garde le sien.</translation></message>
     <message><source>Bold: differs from the factory default.</source>
         <translation>Gras : diffère du réglage d'usine.</translation></message>
@@ -4093,19 +4093,19 @@ avant {1}</translation></message>
         <translation>Étalonnages</translation></message>
     <message><source>None set.</source>
         <translation>Aucun n'est indiqué.</translation></message>
-    <message><source>Replace values with units by wire values, and numbers outside their range by the nearest valid number; the file changes when you save it</source>
+    <message><source>Convert values with units to wire values, and replace numbers that are out of range with the nearest valid number. The file changes only when you save it</source>
         <translation>Écrire les valeurs avec unités comme elles sont transmises, et remplacer les nombres hors plage par la valeur permise la plus proche ; le fichier change quand vous l'enregistrez</translation></message>
     <message><source>&amp;Repair values</source>
         <translation>&amp;Réparer les valeurs</translation></message>
     <message><source>Text of the settings file</source>
         <translation>Texte du fichier de réglages</translation></message>
-    <message><source>Save writes this text. Comments and the order of the lines stay as they are; change values on the other pages.</source>
+    <message><source>“Save” writes this text. Comments and the order of the lines do not change. To change values, use the other pages.</source>
         <translation>« Enregistrer » écrit ce texte. Les commentaires et l'ordre des lignes restent tels quels ; modifiez les valeurs sur les autres pages.</translation></message>
     <message><source>Chec&amp;k again</source>
         <translation>&amp;Vérifier de nouveau</translation></message>
     <message><source>Read the text again and list its errors</source>
         <translation>Relire le texte et lister ses erreurs</translation></message>
-    <message><source>This file cannot be used. Correct the text here, then check it again; the other pages open once it has no errors.</source>
+    <message><source>This file cannot be used. Correct the text here, then check it again. The other pages become available once the text has no errors.</source>
         <translation>Ce fichier ne peut pas être utilisé. Corrigez le texte ici, puis vérifiez-le de nouveau ; les autres pages s'ouvrent dès qu'il n'a plus d'erreurs.</translation></message>
     <message><source>Line numbers</source>
         <translation>Numéros de ligne</translation></message>
@@ -4133,7 +4133,7 @@ avant {1}</translation></message>
         <translation>Rien n'a pu être réparé : corrigez le texte aux lignes indiquées ci-dessous.</translation></message>
     <message><source>Tool bar</source>
         <translation>Barre d'outils</translation></message>
-    <message><source>It still has errors.</source>
+    <message><source>The file still has errors.</source>
         <translation>Il contient encore des erreurs.</translation></message>
     <message><source>Factory defaults</source>
         <translation>Réglages d'usine</translation></message>
@@ -4187,17 +4187,35 @@ avant {1}</translation></message>
         <translation>Réglages appliqués {0}</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Exemple : {0}</translation></message>
+    <message><source>is not a readable settings file.</source>
+        <translation>n'est pas un fichier de réglages lisible.</translation></message>
+    <message><source>Calibrations that the board does not currently report remain in the file: {0}.</source>
+        <translation>Les étalonnages que la carte n'affiche pas actuellement ont été conservés : {0}.</translation></message>
+    <message><source>The program {0} applies and verifies the displayed settings. Its first lines explain how to use the program.</source>
+        <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
+    <message><source>{0} was not saved again: it is still being saved.</source>
+        <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
+    <message><source>&amp;Export as code…</source>
+        <translation>E&amp;xporter comme code…</translation></message>
+    <message><source>The settings shown were saved in {0}.</source>
+        <translation>Les réglages affichés ont été enregistrés dans {0}.</translation></message>
+    <message><source>{0} was not saved: {1}</source>
+        <translation>{0} n'a pas été enregistré : {1}</translation></message>
+    <message><source>{0} was not written: {1}</source>
+        <translation>{0} n'a pas été écrit : {1}</translation></message>
+    <message><source>holds settings of a {0}.</source>
+        <translation>contient les réglages d'un {0}.</translation></message>
     <message><source>Swap the wire pairs of motors 1 and 2. Keep the order within each pair.</source>
         <translation>Permutez la paire de fils du moteur 1 avec celle du moteur 2 (gardez leur ordre).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
         <translation>Permutez les deux fils du moteur gauche.</translation></message>
     <message><source>Swap the two wires of the right motor.</source>
         <translation>Permutez les deux fils du moteur droit.</translation></message>
-    <message><source>No setting does this for serial commands; your own program can do it instead.</source>
+    <message><source>No setting can make this change for serial commands, but your own program can.</source>
         <translation>Aucun réglage ne fait cela pour les commandes série ; votre propre programme peut s'en charger.</translation></message>
-    <message><source>No setting of the board does this.</source>
+    <message><source>No setting of the board can make this change.</source>
         <translation>Aucun réglage de la carte ne fait cela.</translation></message>
-    <message><source>About two minutes; the motors stay off. The next step needs the directions.</source>
+    <message><source>Learning takes about two minutes, and the motors stay off. The next step needs the stick directions.</source>
         <translation>Environ deux minutes ; les moteurs restent à l'arrêt. L'étape suivante a besoin des directions.</translation></message>
     <message><source>The stick is fully &amp;right now</source>
         <translation>Le manche est poussé à fond vers la &amp;droite maintenant</translation></message>
@@ -4205,8 +4223,6 @@ avant {1}</translation></message>
         <translation>Le manche est poussé à fond vers l'a&amp;vant maintenant</translation></message>
     <message><source>Both sticks are fully &amp;forward now</source>
         <translation>Les deux manches sont poussés à fond vers l'a&amp;vant maintenant</translation></message>
-    <message><source>Nothing &amp;moved</source>
-        <translation>Rien n'a &amp;bougé</translation></message>
     <message><source>Wir&amp;es swapped – test again</source>
         <translation>Fils permutés – tester de &amp;nouveau</translation></message>
     <message><source>Clear both answers and test the motors again</source>
@@ -4217,22 +4233,24 @@ avant {1}</translation></message>
         <translation>Coupez l'alimentation des moteurs.</translation></message>
     <message><source>The board learns your sticks</source>
         <translation>La carte apprend vos manches</translation></message>
-    <message><source>Each is connected to an output of your receiver.</source>
+    <message><source>Each channel is connected to an output of your receiver.</source>
         <translation>Chacune est reliée à une sortie de votre récepteur.</translation></message>
     <message><source>Channel 1 (motor 1)</source>
         <translation>Voie 1 (moteur 1)</translation></message>
     <message><source>Channel 2 (motor 2)</source>
         <translation>Voie 2 (moteur 2)</translation></message>
-    <message><source>{0}: its direction is not known yet.</source>
+    <message><source>{0}: the direction is not known yet.</source>
         <translation>{0} : son sens n'est pas encore connu.</translation></message>
     <message><source>{0}: the value rises.</source>
         <translation>{0} : la valeur augmente.</translation></message>
     <message><source>{0}: the value falls.</source>
         <translation>{0} : la valeur diminue.</translation></message>
-    <message><source>{0}: the stick is still near its middle. Push it all the way.</source>
+    <message><source>{0}: the stick is still near its centre. Push the stick all the way.</source>
         <translation>{0} : le manche est encore proche de son milieu. Poussez-le à fond.</translation></message>
     <message><source>Hold a button, then click what moved</source>
         <translation>Maintenez un bouton, puis cliquez sur ce qui a bougé</translation></message>
+    <message><source>Nothing &amp;moved</source>
+        <translation>Rien n'a &amp;bougé</translation></message>
     <message><source>Click what this motor moved</source>
         <translation>Cliquez sur ce que ce moteur a fait bouger</translation></message>
     <message><source>Nothing turned: the next pulses are stronger (30 %). If that does not help, check the battery and the wires of this motor.</source>
@@ -4243,7 +4261,7 @@ avant {1}</translation></message>
         <translation>Aucun fil n'est à permuter, mais les directions des manches ne sont pas encore connues : revenez à « Manches ». Vos réponses sont conservées.</translation></message>
     <message><source>Settings correct this; no wires have to be swapped.</source>
         <translation>Des réglages corrigent cela ; aucun fil n'est à permuter.</translation></message>
-    <message><source>Already learned? Push, hold and click:</source>
+    <message><source>Already learned? Hold the sticks as a button says, then click the button:</source>
         <translation>Déjà appris ? Poussez, maintenez et cliquez :</translation></message>
     <message><source>Channel 1 (turns)</source>
         <translation>Voie 1 (tourne)</translation></message>
@@ -4253,7 +4271,7 @@ avant {1}</translation></message>
         <translation>{0} : aucun signal n'arrive.</translation></message>
     <message><source>not tried yet</source>
         <translation>pas encore essayé</translation></message>
-    <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise it, or check the battery and the wires of this motor.</source>
+    <message><source>Nothing turned: the pulses stay below the speed ceiling of the Motors page. Raise the ceiling, or check the battery and the wires of this motor.</source>
         <translation>Rien n'a tourné : les impulsions restent sous la vitesse maximale de la page Moteurs. Augmentez-la, ou vérifiez la batterie et les fils de ce moteur.</translation></message>
     <message><source>Two motors cannot drive the same wheel: try both buttons again.</source>
         <translation>Deux moteurs ne peuvent pas entraîner la même roue : essayez à nouveau les deux boutons.</translation></message>
@@ -4263,7 +4281,7 @@ avant {1}</translation></message>
         <translation>L'émetteur est-il allumé ?</translation></message>
     <message><source>Motor &amp;{0}</source>
         <translation>Moteur &amp;{0}</translation></message>
-    <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
+    <message numerus="yes"><source>“Next” adds %n change(s). Nothing is written until you apply the changes.</source>
         <translation><numerusform>« Suivant » ajoute %n modification. Rien n'est écrit avant que vous ne l'appliquiez.</numerusform><numerusform>« Suivant » ajoute %n modifications. Rien n'est écrit avant que vous ne les appliquiez.</numerusform></translation></message>
     <message><source>&amp;Jumpers</source>
         <translation>&amp;Cavaliers</translation></message>
@@ -4273,9 +4291,9 @@ avant {1}</translation></message>
         <translation>&amp;Limites</translation></message>
     <message><source>T&amp;imeout</source>
         <translation>Déla&amp;i</translation></message>
-    <message><source>Each step can be skipped. Nothing is written before you apply it at the end.</source>
+    <message><source>You can skip any step. Nothing is written until you apply the changes at the end.</source>
         <translation>Chaque étape peut être passée. Rien n'est écrit avant que vous l'appliquiez à la fin.</translation></message>
-    <message><source>Schematic: the user's guide shows where your board has them.</source>
+    <message><source>Schematic drawing: see the user's guide for the positions on your board.</source>
         <translation>Schéma : le guide d'utilisation montre où ils se trouvent sur votre carte.</translation></message>
     <message><source>The mix jumper is on: remove it, then push a stick.</source>
         <translation>Le cavalier Mix est en place : retirez-le, puis poussez un manche.</translation></message>
@@ -4285,7 +4303,7 @@ avant {1}</translation></message>
         <translation>Réglez ce que vos moteurs peuvent absorber en continu : les préréglages sont des exemples. Sans rampe, le courant dépasse la limite un instant.</translation></message>
     <message><source>The computer must send something at least twice within this time. UART-Error Shutdown is also switched on, because the timeout may need it (twin).</source>
         <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai. « Arrêt sur erreur UART » est activé en même temps, car le délai peut en avoir besoin (jumeau).</translation></message>
-    <message><source>Its changes were not added: open the step and click Next.</source>
+    <message><source>The changes of this step were not added. Open the step and click Next.</source>
         <translation>Ses modifications n'ont pas été ajoutées : ouvrez l'étape et cliquez sur « Suivant ».</translation></message>
     <message><source>For the first drive, keep the wheels off the ground: forward, back, left, right.</source>
         <translation>Pilotez d'abord avec les roues décollées du sol : avant, arrière, gauche, droite.</translation></message>
@@ -4323,7 +4341,7 @@ avant {1}</translation></message>
         <translation>Robot &amp;autonome</translation></message>
     <message><source>off</source><comment>limit</comment>
         <translation>désactivée</translation></message>
-    <message><source>In joint mode the board measures no current, so it cannot limit it.</source>
+    <message><source>In joint mode the board does not measure the current and cannot limit it.</source>
         <translation>En mode jumelé, la carte ne mesure aucun courant et ne peut donc pas le limiter.</translation></message>
     <message><source>This example was made for a {0}, which measures current in other units. Your board keeps its current limit.</source>
         <translation>Cet exemple a été fait pour un {0}, qui mesure le courant dans d'autres unités. Votre carte garde sa limite de courant.</translation></message>
@@ -4331,11 +4349,11 @@ avant {1}</translation></message>
         <translation>Si le câble se débranche, la carte s'arrête</translation></message>
     <message><source>What is left to do</source>
         <translation>Ce qu'il reste à faire</translation></message>
-    <message><source>Wrong positions, or not checked.</source>
+    <message><source>The positions are wrong or have not been checked.</source>
         <translation>Mauvaises positions, ou non vérifiées.</translation></message>
     <message><source>The directions of the sticks are not known.</source>
         <translation>Les sens des manches ne sont pas connus.</translation></message>
-    <message><source>Skipped, or its changes were undone.</source>
+    <message><source>This step was skipped, or its changes were undone.</source>
         <translation>Étape passée, ou ses modifications ont été annulées.</translation></message>
     <message><source>It is not known which motor drives which wheel.</source>
         <translation>On ne sait pas quel moteur entraîne quelle roue.</translation></message>
@@ -4353,9 +4371,9 @@ avant {1}</translation></message>
         <translation>Aucune carte n'est connectée : ses cavaliers ne peuvent pas être vérifiés.</translation></message>
     <message><source>This board was started without the mode jumper (serial mode).</source>
         <translation>Cette carte a démarré sans le cavalier de mode (mode série).</translation></message>
-    <message><source>The mix jumper can be checked in serial mode only: in this mode a stick would drive the motors.</source>
+    <message><source>The mix jumper can be checked only in serial mode. In the present mode, a stick would drive the motors.</source>
         <translation>Le cavalier Mix ne peut être vérifié qu'en mode série : maintenant, un manche ferait tourner les moteurs.</translation></message>
-    <message><source>The board does not report the mix jumper. Push a stick to one side to see it.</source>
+    <message><source>The board does not report the state of the mix jumper. Push a stick to one side to detect it.</source>
         <translation>La carte ne signale pas le cavalier Mix. Poussez un manche d'un côté pour le voir.</translation></message>
     <message><source>Current &amp;limit of each motor</source>
         <translation>&amp;Limite de courant de chaque moteur</translation></message>
@@ -4371,29 +4389,11 @@ avant {1}</translation></message>
         <translation>Le cavalier Mix est retiré.</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testez ensuite à nouveau les moteurs.</translation></message>
-    <message><source>is not a readable settings file.</source>
-        <translation>n'est pas un fichier de réglages lisible.</translation></message>
-    <message><source>Calibrations that the board does not show now stay in the file: {0}.</source>
-        <translation>Les étalonnages que la carte n'affiche pas actuellement ont été conservés : {0}.</translation></message>
-    <message><source>{0} applies and verifies the settings shown; its first lines explain how to use it.</source>
-        <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
-    <message><source>{0} was not saved again: it is still being saved.</source>
-        <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
-    <message><source>&amp;Export as code…</source>
-        <translation>E&amp;xporter comme code…</translation></message>
-    <message><source>The settings shown were saved in {0}.</source>
-        <translation>Les réglages affichés ont été enregistrés dans {0}.</translation></message>
-    <message><source>{0} was not saved: {1}</source>
-        <translation>{0} n'a pas été enregistré : {1}</translation></message>
-    <message><source>{0} was not written: {1}</source>
-        <translation>{0} n'a pas été écrit : {1}</translation></message>
-    <message><source>holds settings of a {0}.</source>
-        <translation>contient les réglages d'un {0}.</translation></message>
     <message><source>Select a snapshot to see what it would restore.</source>
         <translation>Sélectionnez un instantané pour voir ce qu'il restaurerait.</translation></message>
-    <message><source>This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.</source>
+    <message><source>This snapshot is from a {0}, but the connected board is a {1}. The snapshot cannot be restored.</source>
         <translation>Cet instantané est celui d'un {0}, et la carte ici est un {1} : il ne peut pas être restauré.</translation></message>
-    <message><source>Note: this snapshot is of device number {0}, the board here is number {1}.</source>
+    <message><source>Note: this snapshot is from device number {0}, and the connected board has number {1}.</source>
         <translation>Remarque : cet instantané est celui du numéro d'appareil {0}, la carte ici porte le numéro {1}.</translation></message>
     <message><source>Now, with edits</source>
         <translation>Maintenant, avec les modifications</translation></message>
@@ -4405,11 +4405,11 @@ avant {1}</translation></message>
         <translation><numerusform>&amp;Restaurer %n réglage…</numerusform><numerusform>&amp;Restaurer %n réglages…</numerusform></translation></message>
     <message><source>Nothing is selected for restoring.</source>
         <translation>Rien n'est sélectionné pour la restauration.</translation></message>
-    <message><source>To restore a snapshot, select it alone.</source>
+    <message><source>To restore a snapshot, select only this snapshot.</source>
         <translation>Pour restaurer l'un des deux, sélectionnez-le seul.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>La carte ne répond pas : rien ne peut être restauré.</translation></message>
-    <message><source>Settings are being written; wait until that is done.</source>
+    <message><source>Settings are being written. Wait until writing ends.</source>
         <translation>Des réglages sont en cours d'écriture ; attendez la fin.</translation></message>
     <message><source>No board is connected. Connect one to restore a snapshot.</source>
         <translation>Aucune carte n'est connectée. Connectez-en une pour restaurer un instantané.</translation></message>
@@ -4431,7 +4431,7 @@ avant {1}</translation></message>
         <translation>Port RS-232</translation></message>
     <message><source>Receiver</source>
         <translation>Récepteur</translation></message>
-    <message><source>Switch off the motor supply, or put the robot on blocks. Connecting and searching move no motor.</source>
+    <message><source>Switch off the motor supply, or put the robot on blocks. Connecting and searching do not move a motor.</source>
         <translation>Coupez l'alimentation des moteurs ou posez le robot sur cales. Connecter et rechercher ne font tourner aucun moteur.</translation></message>
     <message><source>No board at hand?</source>
         <translation>Pas de carte sous la main ?</translation></message>

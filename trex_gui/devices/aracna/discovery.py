@@ -51,7 +51,9 @@ _EVIDENCE: dict[Enum, Evidence] = {
     ErrorCode.OTHER_DEVICE: Evidence.STRANGE,
     ErrorCode.BOOT_LOOP: Evidence.KNOWN,
 }
-_RESETS = tr_noop("Opening this port reset the board: it responds again after about a second.")
+_RESETS = tr_noop(
+    "Opening this port reset the board. The board responds again after about a second."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,8 +108,8 @@ class AracnaProber:
             self._not_sent = tr(
                 "No probe for an Aracna was sent on {0}: the baud rate is set at the other "
                 "end of the network, and a TReX at another rate could mistake the probe for "
-                "a command. If you know that it is an Aracna, connect once with: trex-gui "
-                "--device aracna --port {1}"
+                "a command. If you know that the device is an Aracna, connect once with: "
+                "trex-gui --device aracna --port {1}"
             ).format(self._settings.label, self._settings.url)
             return
         for done in range(MAX_PROBES):

@@ -103,7 +103,10 @@ def test_servo_power_text_is_urgent_in_motion_and_when_off() -> None:
     harness.line.advance(0.1)
     assert power_text(snapshot_of(harness)) == (text, True)
     harness.do("servo power off")
-    assert power_text(snapshot_of(harness)) == ("Off: no servo moves, holds or replies.", True)
+    assert power_text(snapshot_of(harness)) == (
+        "Servo power is off: no servo moves, holds its position or replies.",
+        True,
+    )
     harness.do("power off")
     assert "switch is off" in power_text(snapshot_of(harness))[0]
 

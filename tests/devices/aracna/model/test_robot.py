@@ -205,7 +205,7 @@ def test_move_and_lost_reply_are_logged_once(robot: Robot, harness: RobotHarness
     harness.wait(lambda: robot.state.reply_lost)
     texts = [event.text for event in robot.events.all]
     lost = [text for text in texts if "−1" in text or "reply was lost" in text]
-    assert lost == ["The reply was lost (or no motor responds): positions are not known."]
+    assert lost == ["The reply was lost, or no motor responds. The positions are unknown."]
     harness.simulator.do("line mute off")
 
 

@@ -175,7 +175,10 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
     [
         (
             "product: Tic T825\ncontrol_mode: serial\n",
-            "line 1: product: must be TReX or TReX Jr, not Tic T825; these are not settings of a TReX",
+            (
+                "line 1: product: must be TReX or TReX Jr, not Tic T825; these are not settings of a "
+                "TReX"
+            ),
         ),
         (
             "product: trex jr\n",
@@ -183,7 +186,10 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
         ),
         (
             "product:\n",
-            "line 1: product: must be TReX or TReX Jr, not nothing; these are not settings of a TReX",
+            (
+                "line 1: product: must be TReX or TReX Jr, not nothing; these are not settings of a "
+                "TReX"
+            ),
         ),
         (
             "\nserial_timeout: 5\n",

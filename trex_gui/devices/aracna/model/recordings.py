@@ -96,7 +96,7 @@ class AracnaRecorder(RecordThread[Record]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.recording and self._robot.link is ConnectionState.DISCONNECTED:
-            self.stop_early(tr("Recording {0} ended with the connection."))
+            self.stop_early(tr("Recording {0} ended because the connection was closed."))
         elif self.recording and self._robot.state.motors != self._motors:
             self.stop_early(tr("Recording {0} ended: the number of motors has changed."))
         else:

@@ -37,7 +37,10 @@ def speed_text(speed: int) -> str:
 
 
 def drawing_text() -> str:
-    return tr("Solid lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
+    return tr(
+        "Solid lines: last reported positions. Dashed lines: goals. In this sketch, "
+        "all angles are drawn flat."
+    )
 
 
 def assumed_text() -> str:
@@ -49,7 +52,7 @@ def assumed_text() -> str:
 
 def missed_goals_text(state: RobotState) -> str:
     if state.reply_lost:
-        return tr("The reply was lost (or no motor responds): positions are not known.")
+        return tr("The reply was lost, or no motor responds. The positions are unknown.")
     return " ".join(map(error_text, state.missed_goals.values()))
 
 
@@ -69,7 +72,7 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
         return tr("moving …") if is_awaited else difference, False
     missed = state.missed_goals.get(motor)
     if missed is not None and missed.code is ErrorCode.GOAL_MISSED:
-        return tr("{0} missed").format(difference), True
+        return tr("missed by {0}").format(difference), True
     if missed is not None or (state.held_speed(motor) or 0) < 0:
         return tr("no reply (−1)"), True
     return difference, False

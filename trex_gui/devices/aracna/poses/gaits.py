@@ -107,7 +107,11 @@ def _sine() -> Gait:
         position = 512 + 100 * math.sin(period * number / samples)
         pose = _within_limits(f"{number} of {samples}", (position,) * MOTORS)
         stages.append((pose, period / samples))
-    return _gait("sine", tr_noop("Moves all motors together, 100 units about the centre."), *stages)
+    return _gait(
+        "sine",
+        tr_noop("Moves all motors together, up to 100 units to either side of the centre."),
+        *stages,
+    )
 
 
 STAND_UP = _gait(

@@ -36,7 +36,9 @@ def motor_count_warning(poses: Iterable[Pose], motors: int) -> str:
         "The poses are for {0} motors, but the robot has {1}: the last positions are ignored."
     )
     if max(counts) < motors:
-        text = tr("The poses are for {0} motors, but the robot has {1}: its last motors go to {2}.")
+        text = tr(
+            "The poses are for {0} motors, but the robot has {1}: the remaining motors go to {2}."
+        )
     return text.format(max(counts), motors, CENTER)
 
 

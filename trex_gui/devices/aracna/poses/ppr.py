@@ -62,12 +62,12 @@ def read_file(path: Path) -> PoseFile:
         line = data.count(b"\n", 0, error.start) + 1
         text = content.decode("latin-1")
         message = tr(
-            "this is not UTF-8 text; it is read as Western European, and Save writes UTF-8"
+            "this text is not in UTF-8; it was read as Western European, and will be saved as UTF-8"
         )
         encoding_findings.append(Finding(line, None, message, Severity.WARNING))
     for number, line_text in enumerate(text.split("\n"), 1):
         if any(sign < " " and sign not in "\n\t\r" for sign in line_text):
-            message = tr("this is a binary file; poses are text")
+            message = tr("this is a binary file, but pose files contain text")
             raise SettingsError(str(path), [Finding(number, None, message)])
     project, findings = read_ppr(text)
     return PoseFile(project, (*encoding_findings, *findings), data)
@@ -166,7 +166,7 @@ class _Reader:
             return
         count = len(pose.positions)
         if count < motors:
-            text = tr("pose {0} has {1} positions of {2}; missing ones become {3}")
+            text = tr("pose {0} has only {1} of {2} positions; the missing positions become {3}")
             self.warn(number, text.format(pose.name, count, motors, CENTER))
             pose = Pose(pose.name, pose.for_motors(motors))
         elif count > motors:
@@ -192,8 +192,8 @@ class _Reader:
                 name, next_numbers[item.name] = numbered_name(item.name, taken, first)
                 taken.add(name)
                 text = tr(
-                    "line {0} defines this {1} again and takes precedence; this one is "
-                    "now called {2}"
+                    "line {0} defines this {1} again and takes precedence; the {1} in this "
+                    "line is now called {2}"
                 )
                 self.warn(number, text.format(last[item.name], tr(kind), name))
                 items[index] = (number, replace(item, name=name))
@@ -201,7 +201,10 @@ class _Reader:
 
 
 def _no_header() -> str:
-    return tr("the first line should name the robot and its servos; assuming 8 servos")
+    return tr(
+        "the first line should contain the name of the robot and the number of servos; "
+        "assuming 8 servos"
+    )
 
 
 def _pose(line: str) -> Pose:
@@ -212,7 +215,7 @@ def _pose(line: str) -> Pose:
     for motor, field in enumerate(_fields(values)):
         position = _number(field)
         if position is None or position > HIGHEST:
-            text = tr("pose {0}: positions are numbers from 0 to {1}, not {2!r} (motor {3})")
+            text = tr("pose {0}: positions must be numbers from 0 to {1}, not {2!r} (motor {3})")
             raise ValueError(text.format(name, HIGHEST, field.strip(), motor))
         positions.append(position)
     return Pose(name, tuple(positions))
@@ -225,7 +228,7 @@ def _sequence(line: str) -> Sequence:
         pose_name, bar, time = field.strip().partition("|")
         milliseconds = _number(time)
         if not bar or milliseconds is None or not SHORTEST_MS <= milliseconds <= LONGEST_MS:
-            text = tr("sequence {0}: a step is a pose, a bar and {1} to {2} ms, not {3!r}")
+            text = tr("sequence {0}: a step must be a pose, a bar and {1} to {2} ms, not {3!r}")
             raise ValueError(text.format(name, SHORTEST_MS, LONGEST_MS, field.strip()))
         steps.append(SequenceStep(pose_name.strip(), milliseconds))
     return Sequence(name, tuple(steps))
@@ -236,7 +239,7 @@ def _name(line: str, no_colon: str, kind: str) -> tuple[str, str]:
     if not colon:
         raise ValueError(no_colon)
     if not name.strip():
-        raise ValueError(tr("a {0} has a name before its colon").format(tr(kind)))
+        raise ValueError(tr("a {0} needs a name before the colon").format(tr(kind)))
     return name.strip(), values
 
 

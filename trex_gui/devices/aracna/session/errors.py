@@ -26,28 +26,30 @@ class ErrorCode(Enum):
     """Error of a session. The value is its sentence with placeholders."""
 
     NO_ROBOT = tr_noop(
-        "No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until "
-        "it stops. Check that the robot's board has power, that the adapter's TX goes to its "
-        "RX and its RX to its TX (or that both radios are on the same channel), and that ground is "
-        "connected."
+        "No Aracna responds on {0}. If the robot is moving, wait until it stops: it does not "
+        "listen while it moves. Check that the robot's board has power, that the adapter's "
+        "TX is connected to the board's RX and the adapter's RX to the board's TX (or that "
+        "both radios are on the same channel), and that ground is connected."
     )
     ECHO = tr_noop(
         "No Aracna responds on {0}: everything sent comes back, and nothing else arrives. "
         "The adapter's TX and RX are joined; an Aracna never echoes."
     )
     BOOT_LOOP = tr_noop(
-        "An Aracna on {0} reports its start, but does not respond afterwards. It may be "
-        "restarting repeatedly: check its power supply."
+        "An Aracna on {0} reports that it has started, but does not respond afterwards. It "
+        "may be restarting repeatedly. Check its power supply."
     )
     OTHER_DEVICE = tr_noop(
-        "Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX "
-        "at another baud rate, or interference on the line."
+        "A reply arrived on {0}, but not from an Aracna: {1}. The cause may be another "
+        "device, perhaps a TReX at another baud rate, or interference on the line."
     )
-    NOT_READY = tr_noop("The robot has not replied yet; it is still being queried.")
-    COMMAND_PENDING = tr_noop("The robot has not replied to the last command yet.")
+    NOT_READY = tr_noop("The robot has not replied yet. Wait until it responds, then try again.")
+    COMMAND_PENDING = tr_noop("The robot has not yet replied to the last command.")
     TIMEOUT = tr_noop("The robot did not reply in time.")
     UNEXPECTED_REPLY = tr_noop("The reply does not match the command: {0}.")
-    MOTOR_STUCK = tr_noop("The robot is waiting for motor {0} and reads nothing until it responds.")
+    MOTOR_STUCK = tr_noop(
+        "The robot is waiting for motor {0} and reads no commands until this motor responds."
+    )
     STUCK = tr_noop("The robot is stuck: nothing was sent.")
     SPEEDS_REJECTED = "{0}"
     SPEED_REJECTED = tr_noop("Motor {0} did not accept speed {1}; it still has speed {2}.")
@@ -55,18 +57,18 @@ class ErrorCode(Enum):
     NO_SERVO_POWER = tr_noop("No motor accepted its speed. Check the servo power.")
     SPEEDS_UNCONFIRMED = tr_noop("The robot did not confirm its speeds, so no motor was moved. {0}")
     GOALS_MISSED = tr_noop(
-        "{0} The motor is blocked, or servo power was off. The sequence does not continue by "
-        "itself."
+        "{0} The motor is blocked, or servo power was off. Remove the cause, then play the "
+        "sequence again."
     )
     GOAL_MISSED = tr_noop("Motor {0} is at {1}, {2} from its goal {3}.")
     POSITION_UNREADABLE = tr_noop("Motor {0} did not report its position (−1).")
     PLAYING = tr_noop("A sequence is playing: stop it first.")
     SUPERSEDED = tr_noop("A newer request replaced this one.")
-    HALTED = tr_noop("Stopped before it was sent.")
+    HALTED = tr_noop("Stopped before the command was sent.")
     RESTARTED = tr_noop("The robot's board has restarted.")
     OTHER_ROBOT = tr_noop("Another robot now responds on this port.")
     NOT_RESPONDING = tr_noop("The robot stopped responding.")
-    CLOSED = tr_noop("The connection was closed before this was complete.")
+    CLOSED = tr_noop("The connection was closed before the request was complete.")
     INTERNAL = tr_noop("Internal error in the connection: {0}")
 
 

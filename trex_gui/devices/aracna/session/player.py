@@ -42,7 +42,7 @@ def check_play(play: Play, motors: int) -> None:
         and all(0 <= goal <= HIGHEST for step in steps for goal in step.goals)
     )
     if not is_valid or any(len(step.goals) != motors for step in steps):
-        raise BadRequest(tr("A robot with {0} motors cannot play this.").format(motors))
+        raise BadRequest(tr("A robot with {0} motors cannot play this sequence.").format(motors))
 
 
 def _is_scale(time_scale: float) -> bool:

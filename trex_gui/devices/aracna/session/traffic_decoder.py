@@ -92,7 +92,7 @@ class AracnaDecoder(Decoder):
             case Led(on=on):
                 return tr("the LED is on") if on else tr("the LED is off")
             case Unrecognized(line=line):
-                return tr("not a reply of an Aracna: {0}").format(self.display_text(line))
+                return tr("not a reply from an Aracna: {0}").format(self.display_text(line))
 
 
 def _answers(reply: Reply, sent: bytes) -> bool:
@@ -113,7 +113,7 @@ def _command(sent: bytes) -> str:
             return tr("go to {0}").format(values)
         case b".v":
             return tr("set speeds {0}").format(values)
-    return tr("not a command of an Aracna")
+    return tr("not an Aracna command")
 
 
 def _is_fault(reply: Reply) -> bool:

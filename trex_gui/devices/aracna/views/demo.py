@@ -25,17 +25,16 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
         tip = tr("The debug LED; it blinks while the firmware boots")
         self._lamp = named(Lamp("led_green", header), "aracnaDemoLed", tip=tip)
         self._led_text = label(header, "aracnaDemoLedText", tip=tip)
-        self._boots = label(header, "aracnaDemoBoots", tip=tr("How often the firmware has started"))
+        self._boots = label(
+            header, "aracnaDemoBoots", tip=tr("Number of times that the firmware has started")
+        )
         row(self._lamp, (self._led_text, 1), self._boots, into=header, margins=0)
         repair = button(
             self,
             "aracnaDemoRepair",
             tr("Clear all faults"),
             icon="reload",
-            tip=tr(
-                "Every servo works and is free to move, the line is quiet, everything is "
-                "switched on"
-            ),
+            tip=tr("Repair and free every servo, clear all line faults, and switch everything on"),
             on_click=robot.repair,
         )
         columns = Columns(tr("Noise"), "5.0\u00a0%")
@@ -64,7 +63,7 @@ def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
     power = rows.check_box(
         "aracnaDemoPower",
         tr("Robot on"),
-        tr("The robot's own switch: board and servos"),
+        tr("The robot's power switch, for board and servos"),
         robot.set_power,
         lambda snapshot: snapshot.power,
         accessible=tr("Robot switched on"),
@@ -73,7 +72,7 @@ def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         rows,
         "aracnaDemoRestart",
         tr("Restart board"),
-        tip=tr("The reset line: the firmware restarts, the servos continue to their goals"),
+        tip=tr("Reset the board: the firmware restarts, but the servos continue to their goals"),
         icon="reload",
         on_click=robot.restart,
     )
@@ -81,8 +80,8 @@ def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         "aracnaDemoServoPower",
         tr("Servo power"),
         tr(
-            "Power of the servos only: without it they stop, go limp and lose their speeds; "
-            "the firmware waits for them"
+            "Power of the servos only. Without power, the servos stop, go limp and lose "
+            "their speeds, and the firmware waits for them."
         ),
         robot.set_servo_power,
         lambda snapshot: snapshot.servo_power,
@@ -119,8 +118,8 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
         f"aracnaDemoDead{motor}",
         "",
         tr(
-            "{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it "
-            "indefinitely"
+            "{0} does not respond, as if it were unplugged: its speed reads as −1, and a "
+            "move waits indefinitely"
         ).format(joint),
         lambda checked: robot.set_dead(motor, checked),
         lambda snapshot: snapshot.servos[motor].dead,
@@ -129,7 +128,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
     blocked = rows.check_box(
         f"aracnaDemoBlocked{motor}",
         "",
-        tr("Something blocks {0}: it stays “moving”, and the firmware waits").format(joint),
+        tr("{0} is blocked: it remains “moving”, and the firmware waits").format(joint),
         lambda checked: robot.set_blocked(motor, checked),
         lambda snapshot: snapshot.servos[motor].blocked,
         accessible=tr("{0}: blocked").format(joint),
@@ -154,14 +153,17 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
     plugged = rows.check_box(
         "aracnaDemoCable",
         tr("Plugged in"),
-        tr("Unplugged, the port disappears; a running motion continues to its goal"),
+        tr(
+            "When the cable is unplugged, the port disappears, but a running motion continues "
+            "to its goal"
+        ),
         robot.set_plugged,
         lambda snapshot: snapshot.line.plugged,
         accessible=tr("Cable plugged in"),
     )
     noise = tr(
-        "This share of the bytes is corrupted in both directions; the protocol does not "
-        "detect this, and a corrupted command may restart the firmware"
+        "Percentage of bytes that are corrupted, in both directions. The protocol does not "
+        "detect corrupted bytes, and a corrupted command may restart the firmware."
     )
     loss_tip = tr(
         "A command that loses a byte may have too few values, which restarts the firmware"
@@ -175,7 +177,7 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         faults=(
             (tr("Reply byte"), "drop 1"),
             (tr("Command byte"), "drop 1 sent"),
-            (tr("Reply: end"), "cut 6"),  # 6 bytes: `.c`, a position and its comma
+            (tr("End of reply"), "cut 6"),  # 6 bytes: `.c`, a position and its comma
         ),
         choice=("aracnaDemoLoss", tr("Simulated loss"), loss_tip),
         once=("aracnaDemoLose", tr("Lose"), tr("Takes effect in the next transfer")),
@@ -191,11 +193,13 @@ def state_text(snapshot: RobotSnapshot) -> str:
             return tr("Moving indefinitely: waiting for servos that have no power.")
         return tr("Moving indefinitely: waiting for a servo that is blocked or dead.")
     return {
-        FirmwareState.OFF: tr("The power is off: no reply, and no servo holds."),
+        FirmwareState.OFF: tr(
+            "The power is off: the robot does not reply, and no servo holds its position."
+        ),
         FirmwareState.BOOTING: tr("Booting: blinks for a second and reads nothing."),
         FirmwareState.IDLE: tr("Idle: waiting for commands."),
         FirmwareState.ANSWERING: tr("Idle: waiting for commands."),  # too brief to show
-        FirmwareState.SPEEDS: tr("Setting speeds: reading them back from the servos."),
+        FirmwareState.SPEEDS: tr("Setting speeds and reading them back from the servos."),
         FirmwareState.MOVING: tr("Moving: reads nothing until every servo has arrived."),
     }[snapshot.state]
 
@@ -204,8 +208,8 @@ def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
     if not snapshot.power:
         return tr("The robot's switch is off: board and servos have no power."), False
     if not snapshot.servo_power:
-        return tr("Off: no servo moves, holds or replies."), True
-    text = tr("The only way to stop a motion: the protocol has no stop command.")
+        return tr("Servo power is off: no servo moves, holds its position or replies."), True
+    text = tr("To stop a motion, switch off the servo power: the protocol has no stop command.")
     return text, snapshot.is_moving
 
 

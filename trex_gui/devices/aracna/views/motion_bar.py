@@ -24,8 +24,8 @@ class StopSequenceButton(RedButton):
         super().__init__(name, title_of(tr("&Stop sequence")), robot.halt, parent)
         self.setToolTip(
             tr(
-                "End the sequence and send nothing more; the robot stays where it is (Esc, "
-                "anywhere)"
+                "End the sequence and send nothing more. A running motion continues to its "
+                "goal. (Esc, anywhere)"
             )
         )
         self._robot = robot

@@ -73,7 +73,7 @@ class RobotProblemsPage(ProblemsPage):
         stats = self._robot.state.stats
         finished = stats.replies + stats.timeouts + stats.corrupted
         answered = f"{Number(100 * stats.replies / max(finished, 1)):.1f} %"
-        timeouts = tr("Requests: {0}, of which without a reply: {1}.")
+        timeouts = tr("Requests: {0}. Requests without a reply: {1}.")
         readings = (
             Reading(tr("Answered"), answered, timeouts.format(stats.requests, stats.timeouts)),
             Reading(

@@ -102,7 +102,7 @@ class AracnaWorkspace(Workspace):
         self.motion_keys = {"aracna_move", "aracna_play", "aracna_led"}
         pose_files = self._poses.files
         pose_files.opened.connect(lambda: self.show_page("poses"))
-        poses = FileKind({SUFFIX}, tr("a pose file of an Aracna"), pose_files.open_file)
+        poses = FileKind({SUFFIX}, tr("an Aracna pose file"), pose_files.open_file)
         self.file_kinds = (poses,)
         self.openers = {"poses": pose_files.open_file, "recording": self.recordings.open_file}
         pose_files.used.connect(partial(frame.files.recent.add, self.key, "poses"))
@@ -133,8 +133,8 @@ class AracnaWorkspace(Workspace):
                     ),
                     tr(
                         "Connect an FTDI cable to the header or plug an XBee radio into the "
-                        "socket: both share one line. Switch on the servo power as well; "
-                        "without it the first move never ends."
+                        "socket: both share one line. Switch on the servo power as well. "
+                        "Without servo power, the first move never ends."
                     ),
                 ),
             ),

@@ -125,7 +125,7 @@ class Recorder(RecordThread[Record]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.recording and self._device.link is ConnectionState.DISCONNECTED:
-            self.stop_early(tr("Recording {0} ended with the connection."))
+            self.stop_early(tr("Recording {0} ended because the connection was closed."))
         self.changed.emit()
 
 

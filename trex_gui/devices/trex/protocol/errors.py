@@ -170,7 +170,7 @@ class ErrorCode(Enum):
     )
     # The session
     SCANNING = tr_noop("The board is not responding; scanning for it.")
-    CLOSED = tr_noop("The connection was closed before this was complete.")
+    CLOSED = tr_noop("The connection was closed before the request was complete.")
     INTERNAL = tr_noop("Internal error in the connection: {0}")
 
 

@@ -56,7 +56,7 @@ class BoardPanel(QWidget):
         self._progress = ui.progress_bar(self, "boardsProgress", tr("Progress of the search"))
         self._progress.setRange(0, NUMBERS)
         button = partial(ui.button, self)
-        tip = tr("Find the boards of all device numbers; nothing is changed")
+        tip = tr("Search for boards at all device numbers. No settings change")
         self._scan = button(
             "scanBoardsButton", tr("Find boards"), icon="find", tip=tip, on_click=boards.scan
         )
@@ -138,10 +138,10 @@ class BoardPanel(QWidget):
         """Update the items in place, so that the list keeps its focus and scroll position."""
         boards = self._boards.boards
         tips = {
-            Presence.SILENT: tr("It replied before. Check its power and its wires."),
+            Presence.SILENT: tr("The board replied before. Check its power and its wires."),
             Presence.UNREADABLE: tr(
-                "Several boards seem to have this number. Switch off all but one, and give "
-                "that board its own number."
+                "More than one board seems to have this number. Switch off all of them "
+                "except one, and give that board a different number."
             ),
         }
         while self._list.count() > len(boards):
@@ -218,15 +218,16 @@ class NumberDialog(QObject):
         owner = next((board for board in boards.boards if board.number == new), None)
         problem = "" if owner is None else tr("Taken: {0}.").format(owner.name)
         if new == boards.selected:
-            problem = tr("The board has this number already.")
+            problem = tr("The board already has this number.")
         self._problem.setText(problem)
         if stored is None:
             return None
         after = settings_after(stored, [(ParameterKey.DEVICE_NUMBER, new)])
         text = tr(
-            "The line is first searched for the new number: if another board has it, nothing "
-            "is written. A board that is off, or has other serial settings, cannot be found. "
-            "Then a snapshot is saved, and the new number takes effect at once."
+            "The line is first searched for the new number. If another board has this "
+            "number, nothing is written. A board that is off or uses other serial settings "
+            "cannot be found. If the number is free, a snapshot is saved and the new number "
+            "is written. It takes effect at once."
         )
         return Changes(
             title_of(tr("Change device nu&mber…")),

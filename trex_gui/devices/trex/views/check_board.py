@@ -36,8 +36,8 @@ _LED_STATES = (
         tr_noop("Red on"),
         tr_noop("Running, serial commands control the motors"),
         tr_noop(
-            "Compare the wires with the picture, then search with “Find”. Green lights while "
-            "the board receives a command: if it never lights, nothing arrives."
+            "Compare the wires with the picture, then search with “Find”. The green LED "
+            "lights while the board receives a command. If it never lights, nothing arrives."
         ),
     ),
     (
@@ -45,9 +45,9 @@ _LED_STATES = (
         tr_noop("Green on, or flashing fast"),
         tr_noop("Running, the channels control the motors"),
         tr_noop(
-            "As above: the board also responds in RC and analog mode. Red lights while it "
-            "receives a command. Fast flashes mean safe-start; five flashes at the start "
-            "show which channels are learned."
+            "Proceed as above: the board also responds in RC and analog mode. The red LED "
+            "lights while the board receives a command. Fast flashes mean safe-start. Five "
+            "flashes at the start show which channels are learned."
         ),
     ),
     (
@@ -64,8 +64,8 @@ _LED_STATES = (
         tr_noop("Red and green alternate"),
         tr_noop("Waiting for the boot loader hand-shake"),
         tr_noop(
-            "Switch the board off, remove the mix and SO–G jumpers, and switch it on. Or go on "
-            "with the hand-shake for lost serial settings."
+            "Switch the board off, remove the mix and SO–G jumpers, and switch it on. If its "
+            "serial settings are lost, continue with the hand-shake instead."
         ),
     ),
     (
@@ -124,7 +124,7 @@ _STEPS = (
         (True, True),
         ("alternate 1/s", "alternate 1/s"),
         tr_noop("Red and green alternate, about once a second."),
-        tr_noop("Nothing: the SO–G jumper holds its line to ground."),
+        tr_noop("Nothing: the SO–G jumper connects SO to ground."),
     ),
     _Step(
         tr_noop("Mix: off"),
@@ -132,7 +132,7 @@ _STEPS = (
         (False, True, "mix"),
         ("alternate 4/s", "alternate 4/s"),
         tr_noop("Red and green alternate, four times as fast."),
-        tr_noop("Nothing: the SO–G jumper holds its line to ground."),
+        tr_noop("Nothing: the SO–G jumper connects SO to ground."),
     ),
     _Step(
         tr_noop("SO–G: off"),
@@ -148,8 +148,8 @@ _STEPS = (
     _Step(
         tr_noop("Connect"),
         tr_noop(
-            "Switch the board off and on, with all three jumpers removed. Then connect at 19200 "
-            "baud, without parity and CRC."
+            "Switch the board off and on, with all three jumpers removed. Then connect at "
+            "19200 baud, without parity or CRC."
         ),
         (False, False),
         ("on", "off"),
@@ -203,7 +203,7 @@ class CheckBoardFlow(Flow):
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         button = partial(ui.button, parent, default=False)
         self._find = button("checkFindButton", tr("&Find now"), on_click=self.find_requested)
-        tip = tr("19200 baud, without parity and CRC, whatever the device number")
+        tip = tr("Connects at 19200 baud, without parity or CRC, to any device number")
         text = tr("&Connect at factory settings")
         self._connect = button("checkConnectButton", text, tip=tip, on_click=self._connect_now)
         return self._find, self._connect

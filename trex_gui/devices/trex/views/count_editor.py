@@ -73,7 +73,7 @@ class UnitSpinBox(QSpinBox):
             typed, rounded = quantity(self._typed, unit), quantity(number, unit)
             is_current = self.parse(self._typed) == self.value()
             if is_current and typed and rounded and not math.isclose(typed, rounded):
-                return tr("The nearest that the board can store is {0}.").format(stored)
+                return tr("The nearest value that the board can store is {0}.").format(stored)
         return ""
 
     @Slot()

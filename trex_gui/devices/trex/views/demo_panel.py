@@ -109,7 +109,7 @@ class DemoBoardView(DemoPanelBody[DemoSnapshot]):
         board = controller.demo_board
         super().__init__(board, controller, "demoState", state_text, parent)
         tip = tr(
-            "Resets everything: stored settings, jumpers, sticks, loads and faults of the line"
+            "Resets everything: stored settings, jumpers, sticks, loads and serial line faults"
         )
         factory = ui.button(self, "demoFactory", tr("Factory state"), icon="reload", tip=tip)
         factory.clicked.connect(board.restore_factory)
@@ -124,7 +124,10 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
     rows = BoardRows("", Columns(value="30.0\u00a0V"), parent)
     text, tip = tr("Power on", "state"), tr("The board's power switch")
     power = rows.check_box("demoPower", text, tip, board.set_power, lambda state: state.power)
-    tip = tr("Off for a second: jumpers are read, stored settings take effect")
+    tip = tr(
+        "Switches the power off for a second. At power-up, the board reads its jumpers "
+        "and activates the stored settings"
+    )
     cycle = ui.button(rows, "demoPowerCycle", tr("Power cycle"), tip=tip, icon="power")
     cycle.clicked.connect(board.power_cycle)
     volts = LiveLabel("demoBatteryValue", tr("Battery"), rows)
@@ -141,7 +144,7 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
     )
     automatic = rows.check_box(
         "demoAutomatic",
-        tr("Move by themselves"),
+        tr("Move automatically"),
         tr("All sticks swing slowly. A stick that you move stays where you put it."),
         board.set_automatic,
         lambda _snapshot: len(board.automatic) == len(CHANNELS),
@@ -154,7 +157,7 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
     rows.add_row(tr("Battery"), battery, volts)
     rows.add_wide((automatic, 1), (centre, 0))
     once_tip = tr(
-        "The next byte reaches the board with this error; Problems counts it. "
+        "The next byte reaches the board with this error, which the Problems page counts. "
         "Only a board with parity detects a parity error."
     )
     framing, parity = (tr("Framing error"), "framing"), (tr("Parity error"), "parity")
@@ -163,10 +166,12 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
         rows,
         board,
         "demo",
-        mute=tr("The wire from SO is broken: the board executes commands, no reply arrives"),
-        noise=tr("This share of the bytes is corrupted in either direction; CRC detects them"),
+        mute=tr("The wire from SO is broken: the board executes commands, but no reply arrives"),
+        noise=tr(
+            "This percentage of the bytes in each direction is corrupted. CRC detects the errors"
+        ),
         faults=(framing, parity, (tr("Overrun"), "overrun")),
-        choice=("demoByteError", tr("Error of one byte"), error_tip),
+        choice=("demoByteError", tr("Error in one byte"), error_tip),
         once=("demoCorrupt", tr("Corrupt one byte"), once_tip),
         cause=board.corrupt,
     )
@@ -225,7 +230,9 @@ class Drawing(BoardRows):
         value = LiveLabel(f"demoValue{channel}", tr("Input {0}").format(channel), self)
         slider = StickSlider(0, _TRAVEL, _TRAVEL // 2, "bar", self)
         spoken = tr("Stick of input {0}").format(channel)
-        tip = tr("Input {0}: {1}. A double click centres it, Delete unplugs it.")
+        tip = tr(
+            "Input {0}: {1}. Double-click to centre the stick, or press Delete to unplug the input."
+        )
         tip = tip.format(channel, tr(CHANNEL_ROLES[channel]))
         ui.named(slider, f"demoInput{channel}", accessible=spoken, tip=tip)
         slider.positions_per_unit = _TRAVEL / 100  # one unit is one per cent, for screen readers
@@ -238,7 +245,7 @@ class Drawing(BoardRows):
             PlugPart,
             f"demoNoSignal{channel}",
             tr("Plug of input {0}").format(channel),
-            tr("Unplug input {0}: an RC input is invalid 0.1 s later").format(channel),
+            tr("Unplug input {0}: an RC input becomes invalid after 0.1 s").format(channel),
             lambda: board.set_silent(channel, not plug.is_out),
         )
         delete = QShortcut(QKeySequence.StandardKey.Delete, slider, plug.click)
@@ -286,7 +293,8 @@ class Drawing(BoardRows):
 
     def _create_cable(self) -> PlugPart:
         tip = tr(
-            "Unplugged, the port is gone: Serial Timeout and UART-Error Shutdown should stop motors"
+            "If the cable is unplugged, the port disappears. Serial Timeout and UART-Error "
+            "Shutdown should then stop the motors"
         )
         plug = self._create_part(
             PlugPart, "demoCable", tr("Cable"), tip, lambda: self._demo.set_plugged(plug.is_out)
@@ -314,13 +322,19 @@ class Drawing(BoardRows):
                 board.set_mode_jumper(_MODES[index % len(_MODES)])
 
         jumper = partial(self._create_part, JumperPart)
-        tip = tr("The mode jumper; the board reads it when power comes on")
+        tip = tr("The mode jumper, which the board reads at power-up")
         mode = jumper("demoMode", tr("Mode jumper"), tip, next_mode)
-        tip = tr("The mix jumper: input 2 drives forward, input 1 turns; takes effect at once")
+        tip = tr(
+            "The mix jumper: input 2 drives forward and input 1 turns. A change takes "
+            "effect at once"
+        )
         mix: JumperPart = jumper(
             "demoMix", tr("Mix jumper"), tip, lambda: board.set_mix(not mix.is_on)
         )
-        tip = tr("Connects SO to ground; with Mix a power-up then learns the inputs' calibration")
+        tip = tr(
+            "Connects SO to ground. If the mix jumper is also on, the board learns the "
+            "calibration of its inputs at power-up"
+        )
         name, switch = tr("SO–G jumper"), board.set_so_ground
         ground: JumperPart = jumper("demoSoGround", name, tip, lambda: switch(not ground.is_on))
 
@@ -341,7 +355,9 @@ class Drawing(BoardRows):
 
     def _create_motor(self, number: int) -> MotorPart:
         name = tr("Motor {0}").format(number)
-        tip = tr("The driver of motor {0} shuts down, as when hot or shorted").format(number)
+        tip = tr("Makes the driver of motor {0} shut down, as when it is hot or shorted").format(
+            number
+        )
         part = self._create_part(
             MotorPart,
             f"demoFault{number}",
@@ -367,8 +383,8 @@ class Drawing(BoardRows):
     def _create_load(self, number: int) -> QLayout:
         spoken = tr("Load of motor {0}").format(number)
         tip = tr(
-            "The current that motor {0} draws at full speed; at the right end it stalls, which "
-            "triggers current limits and faults"
+            "The current that motor {0} draws at full speed. At the right end of the slider, "
+            "the motor stalls, which triggers current limits and faults"
         ).format(number)
         value = LiveLabel(f"demoLoadValue{number}", spoken, self)
         slider = StickSlider(0, _STALL_CURRENT * _STEPS_PER_AMPERE, 0, f"motor{number}", self)

@@ -34,8 +34,8 @@ class GroupDialog(ReusedDialog):
         self.setWindowTitle(title_of(tr("Drive together…")))
         resize_with_font(self, 560, 360)
         about = tr(
-            "One pad, one arming and one Stop drive these boards as one robot. A board that no "
-            "longer follows stops the others."
+            "These boards are armed, driven and stopped together as one robot. If one board "
+            "no longer follows, the others stop."
         )
         self._table = QWidget(self)
         self._grid = ui.grid(self._table, margins=0)

@@ -58,7 +58,10 @@ class HistoryDialog(ReusedDialog):
         self._no_match = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
         self._no_match.hide()
         button = partial(ui.button, self, default=False)
-        tip = tr("Name the snapshot (or double-click it): it is then never deleted automatically")
+        tip = tr(
+            "Name the snapshot (or double-click it). A named snapshot is never deleted "
+            "automatically"
+        )
         self._name = button("nameSnapshotButton", tr("&Name…"), icon="edited", tip=tip)
         tip = tr("Save a copy as a settings file")
         self._save = button("saveSnapshotButton", tr("Save &as…"), icon="save", tip=tip)
@@ -67,9 +70,9 @@ class HistoryDialog(ReusedDialog):
         bar = MotorBar(device, "historyStopButton", self)
         self._close = button("closeHistoryButton", tr("&Close"), on_click=self.close)
         text = tr(
-            "There are no snapshots yet.\n\nBefore settings are applied or defaults restored, "
-            "in this window or with trexcmd, everything that the board stores is saved here. "
-            "You can compare a snapshot with the board and restore all or part of it."
+            "There are no snapshots yet.\n\nBefore this program or trexcmd applies settings or "
+            "restores defaults, all settings of the board are saved here. You can compare a "
+            "snapshot with the board and restore some or all of its settings."
         )
         empty = ui.label(self, "historyEmpty", text, wrap=True)
         empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -237,7 +240,7 @@ class HistoryDialog(ReusedDialog):
         selected = self._selected
         if not selected:
             return
-        text = tr("Permanently delete %n snapshot(s), the newest of {0}?", "", len(selected))
+        text = tr("Permanently delete %n snapshot(s), the newest from {0}?", "", len(selected))
         self._question.prompt(
             text.format(self._table.time_text(selected[0])),
             Answer("historyQuestionYes", title_of(tr("&Delete…")), lambda: self._remove(selected)),

@@ -36,13 +36,13 @@ class LineSettingsDialog(ReusedDialog):
         self._polynomial = ui.spin_box(self, "polynomialField", "", 0x80, 0xFF)
         self._polynomial.setDisplayIntegerBase(16)
         self._polynomial.setPrefix("0x")
-        text = tr("&Address one board of several by its number (Pololu protocol)")
+        text = tr("&Address one board by its device number (Pololu protocol)")
         self._addressed = ui.check_box(self, "addressedBox", text)
         self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127)
         tip = tr(
             "Device numbers of other devices on this line, such as 0,1 (older Pololu motor "
-            "and servo controllers). If you enter any, every packet has an address, none is "
-            "sent to these numbers, and no other baud rate is tried."
+            "and servo controllers). If you enter numbers, every packet has an address, no "
+            "packet is sent to these numbers, and no other baud rate is tried."
         )
         self._reserved = ui.named(QLineEdit(self), "reservedField", tip=tip)
         self._reserved.setValidator(QRegularExpressionValidator(_NUMBERS, self))

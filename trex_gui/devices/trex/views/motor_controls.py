@@ -251,7 +251,7 @@ class ArmButton(ConfirmButton):
             self.hold_off()
         tip = tr("Stops the motors and sends them no command until they are armed again")
         if not armed:
-            tip = tr("Lets both motors and the auxiliary be driven; nothing moves yet")
+            tip = tr("Allows both motors and the auxiliary to be driven. Nothing moves yet")
         self.setToolTip(tip)
         self.setAccessibleDescription(tip)
         self.setEnabled(armed or self._motors.can_arm)

@@ -26,18 +26,20 @@ _RESULTS = {  # (stage, true if the stage takes a long time) → text
         "The board still responds. A short interruption is not detected: leave the power off for "
         "a full second."
     ),
-    (Stage.AWAITING_ON, False): tr_noop("Switch it on again. Waiting for it to respond again …"),
+    (Stage.AWAITING_ON, False): tr_noop(
+        "Switch the board on again. Waiting for the board to respond …"
+    ),
     (Stage.AWAITING_ON, True): tr_noop(
         "The board is still not responding. Check its power and the cable. If both are fine, "
         "disconnect and press “Find…”, which tries every setting."
     ),
     (Stage.LOST, False): tr_noop(
-        "The line was closed. Switch the board off and on, then connect again; “Find…” tries "
-        "every setting."
+        "The connection was closed. Switch the board off and on, then connect again. If that "
+        "fails, press “Find…”, which tries every setting."
     ),
     (Stage.UNSURE, False): tr_noop(
-        "Connected again. The program cannot detect whether the board was switched off in the "
-        "meantime: confirm it, or switch the board off and on now."
+        "Connected again. The program cannot detect whether the board was switched off in "
+        "the meantime. Confirm that it was, or switch the board off and on now."
     ),
     (Stage.BACK, False): tr_noop("The board is back, and all stored settings are active."),
 }
@@ -50,7 +52,7 @@ class PowerCyclePage(Page):
         self._waiting: tuple[str, ...] = ()
         self._title = named(Note(1, self), "powerCycleTitle")
         self._result = named(Note(3, self), "powerCycleResult")
-        text = tr("I have &switched it off and on")
+        text = tr("I have &switched the board off and on")
         self._confirm = button(self, "powerCycleDone", text, on_click=cycle.confirm)
         reserve_space(self._confirm)
         confirm = self._confirm, 0, Qt.AlignmentFlag.AlignRight

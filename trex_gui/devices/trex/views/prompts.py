@@ -109,8 +109,8 @@ class RestorePrompt(QObject):
         if self._question.text:
             return  # the offer waits until the next connection
         text = tr(
-            "Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending "
-            "edits?",
+            "Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore them "
+            "as pending edits?",
             "",
             len(offer.rows),
         )
@@ -134,8 +134,8 @@ class RestorePrompt(QObject):
         elif new and not self._question.text:
             self._reported = set(differing.rows)
             text = tr(
-                "%n setting(s) of this {0} differ from the last applied values ({1}): lost, "
-                "changed by another program, or this is another board.",
+                "%n setting(s) of this {0} differ from the last applied values ({1}). They "
+                "were lost or changed by another program, or this is another board.",
                 "",
                 len(differing.rows),
             )
@@ -202,7 +202,7 @@ class LeasePrompt(QObject):
             lease = self._device.board.lease
             return lease is not None and not lease.is_mine and bool(lease.driver)
 
-        text = tr("{0} drives. Taking over stops the motors.").format(lease.driver)
+        text = tr("{0} is driving. Taking over stops the motors.").format(lease.driver)
         submit = partial(self._device.connection.submit, TakeLease())
         self._question.prompt(text, Answer("takeOver", tr("Take over"), submit), is_valid=is_valid)
 

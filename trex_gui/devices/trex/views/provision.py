@@ -40,7 +40,7 @@ _CERTAINTY_TEXTS = {
     NEW: tr_noop("A new board: its device number is not in the record."),
     KNOWN: tr_noop("Known: its device number and its calibrations are in the record."),
     NUMBER_ONLY: tr_noop(
-        "Probably known: its device number is in the record, with other calibrations."
+        "Probably known: its device number is in the record, but with other calibrations."
     ),
 }
 _RESULTS = {"ok": tr_noop("written and verified"), "skipped": tr_noop("skipped")}
@@ -70,11 +70,13 @@ class ProfilePage(Page):
             path.returnPressed.connect(start)
             path.textChanged.connect(self._on_edited)
         about = tr(
-            "The profile is a settings file. Each board gets its settings, a device number that no "
-            "other board has, and a line in the record: a CSV file, extended if it exists."
+            "The profile is a settings file. Each board gets the settings of the profile, a "
+            "device number that no other board has, and a line in the record. The record is "
+            "a CSV file. An existing file is extended."
         )
         serial = tr(
-            "Boards have no serial number. A board whose device number is in the record keeps it."
+            "Boards have no serial number. A board whose device number is in the record "
+            "keeps this number."
         )
         self.problem = ui.named(Note(0, self.side), "provisionTrouble")
         texts = Muted(about, self.side), Muted(serial, self.side)
@@ -130,7 +132,7 @@ class ProvisionBoardPage(Page):
         self._wiring = WiringSketch(ttl_wiring(), "provisionWiring", self)
         items = self._title, self._about, (self._changes, 1), (self._wiring, 1)
         ui.column(*items, into=self, margins=0)
-        title = tr("Boards done")
+        title = tr("Finished boards")
         self._done = ui.flat_table(QTableWidget(0, 2, self.side), "provisionDone", title)
         self._done.setHorizontalHeaderLabels([tr("Board"), tr("Result")])
         self._done.setWordWrap(True)
@@ -163,11 +165,11 @@ class ProvisionBoardPage(Page):
             if work.step is ProvisionStep.UNPLUG:
                 return tr("This board cannot be set up. Unplug it.")
             if self._device.settings is None:
-                return tr("Connect to a board: use Connect or Find in the window.")
+                return tr("Connect to a board: use Connect or Find in the main window.")
             return tr("Plug in a board, and switch it on.")
         if work.step is ProvisionStep.UNPLUG:
             result = tr(_RESULTS.get(board.result, "")) or board.result
-            text = tr("{0}: {1}. Unplug it, and plug in the next board.")
+            text = tr("{0}: {1}. Unplug this board, and plug in the next board.")
             return text.format(board.name, result.rstrip("."))
         text = tr("{0}, device number {1}: {2}")
         return text.format(board.name, board.number, board.board)

@@ -62,7 +62,7 @@ class PulseControls(QWidget):
 
     def _create_hold_button(self, name: str, motor: int) -> HoldButton:
         hold = HoldButton(tr("Hold to turn motor {0}").format(motor))
-        tip = tr("Short, weak pulses while you hold it with the mouse or the space bar")
+        tip = tr("Short, weak pulses while you hold the button with the mouse or the space bar")
         ui.named(hold, name, tip=tip)
         hold.setMinimumHeight(2 * self.fontMetrics().height() + 4)
         set_look(hold, f"motor{motor}")
@@ -86,7 +86,7 @@ class PulseControls(QWidget):
             "Armed. The motor turns in short, weak pulses while you hold the button."
         )
         if pulses.motor:
-            text = tr("Motor {0} is driven in pulses. Release the button to stop it.")
+            text = tr("Motor {0} is driven in pulses. Release the button to stop the motor.")
             text = text.format(pulses.motor)
         if not blocker:
             text = fault_text(drive_statuses(drive_inputs(self._device))) or text

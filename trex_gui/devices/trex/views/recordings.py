@@ -83,7 +83,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
 
     @Slot(object)
     def _on_event_saved(self, path: Path) -> None:
-        text = tr("The seconds around “{0}” were saved. File, Open fault or stop: {1}")
+        text = tr("The seconds around “{0}” were saved as {1} (File, Open fault or stop).")
         self._notifier.logged.emit(text.format(self.events.cause, path.name), False)
 
     @Slot(str)

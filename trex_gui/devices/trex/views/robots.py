@@ -42,7 +42,7 @@ class RobotsDialog(ReusedDialog):
         self.setObjectName("robotsDialog")
         self.setWindowTitle(title_of(tr("Robots on the net&work…")))
         resize_with_font(self, 820, 420)
-        about = tr("Robots that trexcmd serve offers on this computer and on the local network.")
+        about = tr("Robots that “trexcmd serve” offers on this computer and on the local network.")
         headings = [tr("Robot"), tr("Board"), tr("Driver"), tr("Problems")]
         table = QTableWidget(0, len(headings), self)
         self._table = ui.flat_table(table, "robotsTable", tr("Robots"))
@@ -89,7 +89,7 @@ class RobotsDialog(ReusedDialog):
         for number, row in enumerate(rows):
             board = row["board"] or tr("no board")
             if row["board"] and not row["responds"]:
-                board = tr("{0}, does not respond").format(board)
+                board = tr("{0}, not responding").format(board)
             texts = row["url"], board, row["driver"] or "–", ", ".join(map(tr, row["problems"]))
             for column, text in enumerate(texts):
                 self._table.setItem(number, column, QTableWidgetItem(text))
@@ -124,5 +124,5 @@ class RobotsDialog(ReusedDialog):
         failed = [f"{url}: {error}" for url, error in results.items() if error]
         text = tr("%n robot(s) stopped.", "", len(results) - len(failed))
         if failed:
-            text = tr("Not confirmed: {0}").format(" ".join(failed))
+            text = tr("Stop not confirmed: {0}").format(" ".join(failed))
         self._note.show_note(text, alarming=bool(failed))

@@ -116,9 +116,9 @@ class SettingsCommands(QObject):
             line = replace(LineSettings.from_wire(wire), detection=Detection.CRC7)
             parameters.edit(key, line.to_wire())
             text = tr(
-                "{0} is now one of the pending changes. It takes effect after the board is "
-                "switched off and on; this window then uses it as well. Other programs on "
-                "this line must use it, too."
+                "{0} is now one of the pending changes and takes effect after the board is "
+                "switched off and on. This window then uses the new setting. Other programs "
+                "on this line must also use the new setting."
             )
             self._device.notifier.info.emit(text.format("CRC-7"))
             self.review()

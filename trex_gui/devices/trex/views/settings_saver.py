@@ -73,8 +73,8 @@ class SettingsSaver(QObject):
         def on_saved(_: object) -> None:
             file_questions.remember_folder(path)
             text = tr(
-                "{0} applies and verifies the settings shown; its first lines explain "
-                "how to use it."
+                "The program {0} applies and verifies the displayed settings. Its first "
+                "lines explain how to use the program."
             )
             self._notifier.info.emit(text.format(path))
 
@@ -168,7 +168,7 @@ class SettingsSaver(QObject):
             problem = error.findings[0].message
             return (new_text if file_questions.may_rewrite(self._window, problem) else None), ""
         names = ", ".join(sorted({key.source.word for key in hidden}))
-        note = tr("Calibrations that the board does not show now stay in the file: {0}.")
+        note = tr("Calibrations that the board does not currently report remain in the file: {0}.")
         return text, note.format(names) if hidden else ""
 
 

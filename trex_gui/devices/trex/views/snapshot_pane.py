@@ -118,13 +118,13 @@ class SnapshotPane(QWidget):
         if self._shown is None:
             return tr("Nothing is selected for restoring.")
         if len(self._snapshots) == 2:
-            return tr("To restore a snapshot, select it alone.")
+            return tr("To restore a snapshot, select only this snapshot.")
         if blocker := self._board_blocker(self._snapshots[0]):
             return blocker
         if not self._device.is_connected:
             return tr("The board does not respond, so nothing can be restored.")
         if self._device.writer.running:
-            return tr("Settings are being written; wait until that is done.")
+            return tr("Settings are being written. Wait until writing ends.")
         return ""
 
     def _board_blocker(self, snapshot: Snapshot) -> str:
@@ -134,7 +134,10 @@ class SnapshotPane(QWidget):
         if state is None or self._device.link in closed:
             return tr("No board is connected. Connect one to restore a snapshot.")
         board = state.signature.model.name
-        text = tr("This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.")
+        text = tr(
+            "This snapshot is from a {0}, but the connected board is a {1}. The "
+            "snapshot cannot be restored."
+        )
         return "" if snapshot.product == board else text.format(snapshot.product, board)
 
     def _number_note(self) -> str:
@@ -142,7 +145,9 @@ class SnapshotPane(QWidget):
         number = self._snapshots[0].device_number
         if number is None or current is None or number == current:
             return ""
-        text = tr("Note: this snapshot is of device number {0}, the board here is number {1}.")
+        text = tr(
+            "Note: this snapshot is from device number {0}, and the connected board has number {1}."
+        )
         return text.format(number, current)
 
     @Slot()

@@ -32,7 +32,7 @@ def start_texts() -> StartTexts:
         ((tr("Mode: set it to RC"), True), (tr("BEC: feeds the receiver"), True)),
     )
     danger = tr("Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.")
-    scale = tr("Schematic: the user's guide shows where your board has them.")
+    scale = tr("Schematic drawing: see the user's guide for the positions on your board.")
     set_up_first = tr(
         "Set the board up through an adapter first: with the mode jumper on, it accepts no "
         "settings. BEC supplies at most 100 mA."
@@ -40,8 +40,8 @@ def start_texts() -> StartTexts:
     return StartTexts(
         title=tr("Connect my {0}").format(tr("TReX")),
         hint=tr(
-            "Switch off the motor supply, or put the robot on blocks. Connecting and searching "
-            "move no motor."
+            "Switch off the motor supply, or put the robot on blocks. Connecting and "
+            "searching do not move a motor."
         ),
         ways=(
             StartWay(ttl_wiring(), scale, tr("USB adapter, 3.3 or 5 V"), danger),

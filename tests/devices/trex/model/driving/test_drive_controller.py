@@ -76,7 +76,7 @@ def test_stop_without_outcome_fails_when_the_line_closes(driven: DrivenDevice) -
     driven.driving.stop(outcomes.append)
     assert driven.shut_down()
     (error,) = outcomes
-    assert str(error) == "The connection was closed before this was complete."
+    assert str(error) == "The connection was closed before the request was complete."
 
 
 def test_restarted_board_disarms_the_motors(driven: DrivenDevice) -> None:

@@ -333,7 +333,7 @@ class StepTable(QTableWidget):
         if self.rowCount() == 0:
             text = tr("Select a sequence or a gait to see its steps.")
             if self.editable:
-                text = tr("No steps yet. Add one: it uses the current pose.")
+                text = tr("No steps yet. “Add step” adds a step with the current pose.")
             paint_placeholder(self, text)
 
 

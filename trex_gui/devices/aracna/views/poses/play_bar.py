@@ -68,7 +68,7 @@ class PlayBar(QWidget):
             step=10,
             suffix=tr(" %"),
             tip=tr(
-                "Also takes effect while playing, from the next step. At 50 %, each step "
+                "Changes during playback take effect from the next step. At 50 %, each step "
                 "takes twice as long."
             ),
             on_change=self._on_speed_changed,
@@ -77,7 +77,7 @@ class PlayBar(QWidget):
             self,
             "aracnaBlendIn",
             tr("&Blend in"),
-            tip=tr("First move slowly to the start, in 3 s."),
+            tip=tr("Move slowly to the start first, in 3 s."),
             checked=True,
             on_toggle=self._update_preview,
         )
@@ -85,7 +85,7 @@ class PlayBar(QWidget):
             self,
             "aracnaBlendOut",
             tr("B&lend out to stand"),
-            tip=tr("At the end move slowly to the pose “stand”, in 3 s."),
+            tip=tr("At the end, move slowly to the pose “stand”, in 3 s."),
             on_toggle=self._update_preview,
         )
         self._play = ui.button(self, "aracnaPlay", tr("Pla&y"), on_click=self.play)

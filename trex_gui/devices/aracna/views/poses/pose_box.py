@@ -154,4 +154,4 @@ class PoseBox(ui.Card):
 
 
 def _unknown_text() -> str:
-    return tr("The robot's position is known after its first move.")
+    return tr("The robot's position is unknown until its first move.")

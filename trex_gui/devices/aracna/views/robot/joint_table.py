@@ -198,7 +198,11 @@ class JointRow(QObject):
         if self.speed.value() != (speed := self._robot.speeds[self._motor]):
             self.speed.setValue(speed)  # setting an equal value would replace typed text
         held = state.held_speed(self._motor)
-        text = "" if held is None else tr("the servo holds {0}").format(speed_text(held))
+        text = (
+            ""
+            if held is None
+            else tr("last speed reported by the servo: {0}").format(speed_text(held))
+        )
         self.speed.setAccessibleDescription(text)
         for widget in (self.slider, self._units, self._degrees):
             widget.setEnabled(state.play is None)

@@ -86,7 +86,7 @@ class RobotPage(QWidget):
     def _report_text(self) -> tuple[str, str, bool]:
         state = self._robot.state
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            return tr("No robot is connected."), tr("Goals and limits can be set already."), False
+            return tr("No robot is connected."), tr("Goals and limits can already be set."), False
         if state.stuck is not None:
             return *_parts(stuck_text(state.stuck.motor)), True
         faults = [missed_goals_text(state)] if state.missed_goals else []
@@ -107,7 +107,7 @@ class RobotPage(QWidget):
         return *_parts(self._robot.status), False
 
     def _before_first_move_text(self) -> str:
-        text = tr("This robot reports them only in its reply to a move.")
+        text = tr("This robot reports positions only in its reply to a move.")
         if self._robot.has_user_speeds:
             return text
         more = tr("The first move runs at speed {0} ({1}) unless you set other speeds.")
@@ -188,7 +188,7 @@ class Controls(QWidget):
             self,
             "aracnaLiveBox",
             tr("Send while dra&gging"),
-            tip=tr("The newest goal is sent as soon as the robot has reached the last one"),
+            tip=tr("The newest goal is sent as soon as the robot has reached the previous goal"),
         )
         self._factory = self._button(
             "FactoryLimits",
@@ -200,7 +200,9 @@ class Controls(QWidget):
             self,
             "aracnaLimitsBox",
             tr("&Limits instead of speeds"),
-            tip=tr("How far each joint may turn; goals are clamped before sending"),
+            tip=tr(
+                "Range of each joint. Goals outside this range are clamped before they are sent."
+            ),
             on_toggle=self._on_limits_toggled,
         )
         speed_label = ui.label(self, "", tr("Speed &of all:"), buddy=self._speed)

@@ -68,7 +68,7 @@ class BenchDialog(ReusedDialog):
         self._plot_timer = new_timer(self, FRAME_MS, self._add_plot, single_shot=True)
 
         self._note = ui.named(Note(2, self), "benchNote")
-        tip = tr("Runs the test while it is held, with the mouse or the space bar")
+        tip = tr("Runs the test while you hold the button with the mouse or the space bar")
         self._hold = ui.named(HoldButton(tr("Hold to run"), self), "benchHoldButton", tip=tip)
         self._hold.setMinimumHeight(3 * self.fontMetrics().height())
         title = tr("Test to compare with")
@@ -205,7 +205,9 @@ class BenchDialog(ReusedDialog):
         if bench.is_driving and (run := bench.latest_run) is not None:
             text = tr("Motor {0} is running: {1:.1f} of {2:g} s.")
             return text.format(run.motor, Number(run.ended), Number(run.profile.duration))
-        next_step = blocker or tr("Armed. Hold the button: the motor runs only while it is held.")
+        next_step = blocker or tr(
+            "Armed. Hold the button to run the motor. The motor stops when you release the button."
+        )
         last = self._message or (self._end_text(bench.runs[-1]) if bench.runs else "")
         return f"{last} {next_step}".lstrip()
 
@@ -281,7 +283,12 @@ def _rows() -> tuple[tuple[str, str, str, str], ...]:
     until_braking = tr("From the first setpoint until braking.")
     return (
         (tr("Peak current"), "peak", "A", tr("The highest reading.")),
-        (tr("Steady current"), "steady", "A", tr("At the end of the first constant speed.")),
+        (
+            tr("Steady current"),
+            "steady",
+            "A",
+            tr("At the end of the first phase at constant speed."),
+        ),
         (tr("Mean current"), "mean", "A", until_braking),
         (tr("Charge"), "charge", "mAh", until_braking),
         (
@@ -289,8 +296,8 @@ def _rows() -> tuple[tuple[str, str, str, str], ...]:
             "delay",
             "ms",
             tr(
-                "Until the first reading of two counts, including the delays of the line, the "
-                "board and its measurement."
+                "Time until the first reading of at least two counts. It includes the delays "
+                "of the line, the board and the measurement."
             ),
         ),
         (
@@ -298,8 +305,8 @@ def _rows() -> tuple[tuple[str, str, str, str], ...]:
             "settled",
             "ms",
             tr(
-                "Until the current stayed within this share of the steady current, or within two "
-                "counts of it."
+                "Time until the current stayed within this percentage of the steady current, "
+                "or within two counts of the steady current."
             ),
         ),
     )

@@ -77,17 +77,19 @@ class PlanForm(ui.Card):
         form.addRow(self._period_name, self._period)
         methods = [(tr("Accelerate"), True), (title_of(tr("Se&t at once")), False)]
         tip = tr(
-            "Accelerate uses the board's acceleration, brake duration and current limit; "
-            "Set at once bypasses the first two and, briefly, the limit."
+            "“Accelerate” uses the board's acceleration, brake duration and current limit. "
+            "“Set at once” bypasses the acceleration and the brake duration, and briefly the "
+            "current limit."
         )
         self._sent = add(tr("Se&nt as"), combo("benchSent", items=methods, tip=tip))
         tip = tr(
-            "One reading above it stops and disarms all motors. A motor draws most when it starts."
+            "A single reading above this current stops and disarms all motors. A motor draws "
+            "the most current when it starts."
         )
         abort = number("benchAbort", lowest=0.1, highest=bench.highest_current, suffix=tr(" A"))
         self._abort = add(tr("Abort &above"), abort)
         abort.setToolTip(ui.plain(tip))
-        text = tr("Abort at the board's &limit, too")
+        text = tr("Abort also at the board's current &limit")
         tip = tr("Stop when the board reports that its own current limit was exceeded.")
         check_box = partial(ui.check_box, self, on_toggle=self._on_edited)
         self._at_limit = check_box("benchAbortAtLimit", text, tip=tip)
@@ -170,7 +172,7 @@ class TuningForm(ui.Card):
         self._editors = QWidget(self)  # before the button in the Tab order
         self._edited = ui.label(self, "benchEdited", wrap=True)
         set_text_color(self._edited, "dirty")
-        text, tip = tr("Appl&y…"), tr("Review and write all pending edits, these included")
+        text, tip = tr("Appl&y…"), tr("Review and write all pending edits, including these")
         button = partial(ui.button, self, icon="apply", default=False)
         self.apply = button("benchApplyButton", text, tip=tip)
         self._form = _form(self._editors)

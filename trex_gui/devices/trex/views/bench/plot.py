@@ -31,7 +31,7 @@ class BenchPlot(Painted):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("benchPlot")
-        self.setAccessibleDescription(tr("The table of figures has the results as numbers."))
+        self.setAccessibleDescription(tr("The table contains the results as numbers."))
         self.setAccessibleName(title_of(tr("&Bench test…")))
         self._run: Run | None = None
         self._before: Run | None = None
@@ -39,8 +39,8 @@ class BenchPlot(Painted):
         self._axes = (0.0, 0.0)
         self.highest = _MIN_CURRENT  # upper limit of the current axis, in A
 
-        self._speeds = PlotCanvas(tr("Speed setpoint, against time"), self)
-        self._currents = PlotCanvas(tr("Current drawn, against time"), self)
+        self._speeds = PlotCanvas(tr("Speed setpoint against time"), self)
+        self._currents = PlotCanvas(tr("Motor current against time"), self)
         canvases = {"benchSpeeds": self._speeds, "benchCurrents": self._currents}
         half = self.fontMetrics().height() // 2 + 2
         side = self.fontMetrics().horizontalAdvance("000.0 s") // 2 + 2

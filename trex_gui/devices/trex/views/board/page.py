@@ -162,7 +162,7 @@ class BoardPage(QWidget):
         is_valid = wire is not None and wire in state.specs[ParameterKey.UART_SETTINGS].valid
         real = settings.line.real_baud(state.signature.firmware)
         if is_valid and real != settings.line.baud:
-            facts.insert(4, tr("this firmware runs at half of this baud rate"))
+            facts.insert(4, tr("this firmware runs at half this baud rate"))
         return facts
 
     @Slot()

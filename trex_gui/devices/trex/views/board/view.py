@@ -250,7 +250,7 @@ class BoardView(QWidget):
             name = tr("RC") if state.mode is Mode.RC else tr("Analog")
             words = tr("channels drive")
             if device.board.serial_controls:
-                words = tr("channel 5 hands over")
+                words = tr("channel 5 selects serial")
             self._mode.show_jumper(True, tr("Mode: {0}").format(name), words)
         mix = device.mix_jumper.is_on if state is not None else None
         if mix is None:

@@ -121,9 +121,9 @@ class ApplyToBoardsDialog(QObject):
         return Changes(
             tr("Apply {0} to several boards").format(self._name),
             caption=tr(
-                "The checked boards get these settings one after another, each after a "
-                "snapshot. Each board keeps its device number and its serial settings. "
-                "Writing ends at the first error."
+                "The settings are written to the checked boards one after another. A "
+                "snapshot of each board is saved first. Each board keeps its device number "
+                "and its serial settings. Writing stops at the first error."
             ),
             rows=rows and replace(rows, rows=tuple(r for r in rows.rows if not r.is_missing)),
             sides=(tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),
@@ -161,7 +161,7 @@ class ApplyToBoardsDialog(QObject):
         left_out = [plan for plan in self.work.plans if plan.step in _LEFT_OUT]
         texts = []
         if self.work.was_stopped:
-            texts.append(tr("Ended because Stop was pressed."))
+            texts.append(tr("Writing ended because Stop was pressed."))
         if written:
             texts.append(tr("Written to %n board(s).", "", written))
         if not self.dialog.isVisible() and self.work.is_writing:

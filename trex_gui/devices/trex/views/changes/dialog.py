@@ -68,8 +68,8 @@ class Question(InlinePrompt):
             write()
             return
         text = tr(
-            "{0}: beyond a limit that no document confirms (inferred). The board decides: it may "
-            "reject the value, or store another one."
+            "{0}: beyond a limit that no document confirms (inferred). The board may reject "
+            "the value or store a different value."
         )
         answer = Answer("writeAnyway", tr("Write an&yway"), write)
         self.prompt(text.format(", ".join(names)), answer, is_valid=lambda: doubts() == names)

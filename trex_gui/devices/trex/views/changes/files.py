@@ -69,7 +69,7 @@ def load_dialog(
         present = tuple(row for row in comparison.rows if not row.is_missing)
         rows = replace(comparison, rows=present)
         source = f"{settings.product.name} {settings.firmware or ''}".rstrip()
-        caption = tr("For a {0}; the board is a {1}. Checked changes become edits.")
+        caption = tr("The file is for a {0}, and the board is a {1}. Checked changes become edits.")
         altered = _altered(conversion) if is_converted else ()
         count = len(ticked_of(rows))
         return Changes(
@@ -116,7 +116,7 @@ def _missing(comparison: Comparison) -> Iterator[str]:
         names = ", ".join(missing[:_MAX_NAMES])
         if len(missing) > _MAX_NAMES:
             names = tr("{0} and {1} more").format(names, len(missing) - _MAX_NAMES)
-        yield tr("Not in the file, so they stay as they are: {0}.").format(names)
+        yield tr("Not in the file and therefore unchanged: {0}.").format(names)
 
 
 def _altered(conversion: Conversion) -> Iterator[str]:
@@ -219,8 +219,7 @@ def show_conversion(
 
     def describe(_ticked_of: TickedOf) -> Changes:
         caption = tr(
-            "Opens the converted settings as a new file, with the comments of this one. {0} "
-            "stays as it is."
+            "Opens the converted settings as a new file with the same comments. {0} is not changed."
         )
         heading, action = tr("Convert {0}").format(document.name), tr("&Convert")
         converted, settings = conversion(), document.settings

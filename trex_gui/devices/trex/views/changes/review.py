@@ -66,7 +66,9 @@ class Review(QObject):
         self._progress = progress_bar(self.dialog, "reviewProgress", tr("Progress of writing"))
         self._progress.setTextVisible(True)
         self._power = PowerCyclePanel(self._cycle, self.dialog)
-        tip = tr("Resets every parameter with the board's own command, at its next start")
+        tip = tr(
+            "Resets every parameter with the board's own reset command when the board next starts"
+        )
         title = tr("&Let the board reset itself…")
         self._reset = button(self.dialog, "boardResetButton", title, tip=tip, default=False)
         self._reset.clicked.connect(self._on_reset_clicked)
@@ -159,14 +161,14 @@ class Review(QObject):
 
     def _on_reset_clicked(self) -> None:
         text = tr(
-            "At its next start the board will reset every parameter, including those cleared "
-            "here. Its current settings are saved first (File, History). Unapplied changes "
-            "are discarded; Undo restores them."
+            "At its next start the board will reset every parameter, including the unchecked "
+            "ones. The current settings of the board are saved first (File, History). "
+            "Unapplied changes are discarded; Undo restores them."
         )
         conflict = tr(
-            "It would get device number {0}, which another board on this line has: both "
-            "would reply at once, and neither could be read. Give that board another number "
-            "first."
+            "The board would get device number {0}, which another board on this line already "
+            "has. Both would reply at the same time, and neither could be read. Give the "
+            "other board a different number first."
         )
         specs = self._device.parameters.values.specs
         number = specs[ParameterKey.DEVICE_NUMBER].default
@@ -235,7 +237,7 @@ class Review(QObject):
         self._outcomes = dict(zip(keys, _outcomes(results), strict=True))
         errors = [result.error for result in results if result.error is not None]
         if errors:
-            text = tr("{0} of {1} could not be verified; still pending.")
+            text = tr("{0} of {1} settings could not be verified and are still pending.")
             self._problem = text.format(len(errors), len(results))
         if any(isinstance(error, (NoReply, PortUnavailable)) for error in errors):
             self._detail = tr(
@@ -315,7 +317,7 @@ class Review(QObject):
             text = tr("%n setting(s) written and verified.", "", len(self._writing.rows))
             return self._problem or text
         if self._is_cancellable:
-            return tr("Saving a snapshot. Nothing is written yet.")
+            return tr("Saving a snapshot. Nothing has been written yet.")
         return tr("Writing. Leave the power on.")
 
     def _obstacle(self) -> str:
@@ -323,8 +325,9 @@ class Review(QObject):
             return tr("No board is responding. The edits are kept.")
         if self._device.draft.reset_pending:
             return tr(
-                "The board will reset itself at its next start and would lose what is "
-                "written now. Switch it off and on first (Device, Make stored settings active)."
+                "The board will reset itself at its next start, and values written now would "
+                "be lost. Switch the board off and on first (Device, Make stored settings "
+                "active)."
             )
         return self._device.writer.blocker
 

@@ -130,9 +130,7 @@ class LearnFlow(Flow):
         note, is_alarming = _status_note(learning)
         if self._offers_test:
             text, may_go_on = tr("Stop the motors and &test"), True
-            note = tr(
-                "The new values are in the board. To test them, the motors must be stopped first."
-            )
+            note = tr("The new values are in the board. Stop the motors to test the values.")
         elif step is LearningStep.DOUBT:
             text = tr("The motors are stopped: co&ntinue")
         elif step is LearningStep.REVIEW:
@@ -209,7 +207,7 @@ def _status_note(learning: Learning) -> tuple[str, bool]:
         return text, True
     match learning.step:
         case LearningStep.STOPPING:
-            return tr("Stopping the motors. The board has to confirm the stop."), False
+            return tr("Stopping the motors. The board must confirm the stop."), False
         case LearningStep.NEUTRAL:
             is_bad = not all(channel.is_at_rest for channel in learning.channels)
             return _rest_text(learning), learning.has_sampled and is_bad
@@ -239,8 +237,9 @@ def _rest_text(learning: Learning) -> str:
 
 def _travel_text(learning: Learning) -> str:
     text = tr(
-        "Push every stick forward or right first, all the way; then the other way. Move switches "
-        "to all positions. Hold each end until it is ticked, then click Next."
+        "Push every stick all the way forward or right first, then all the way in the other "
+        "direction. Move every switch to all its positions. Hold each end position until it "
+        "is ticked, then click Next."
     )
     travels = [channel.travel for channel in learning.channels]
     slow = [travel for travel in travels if travel and travel.is_slow]
@@ -268,7 +267,7 @@ def _review_text(learning: Learning) -> str:
         )
         return text.format(rejected)
     blocker = learning.preconditions.blocker
-    return blocker or tr("Check the new values. Nothing is written yet.")
+    return blocker or tr("Check the new values. Nothing has been written yet.")
 
 
 def _test_text(learning: Learning) -> str:

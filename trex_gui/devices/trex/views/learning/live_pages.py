@@ -233,7 +233,7 @@ class TestPage(ChannelRows):
         self._tests = tests
         self._safe_start = ui.named(Note(3, self.side), "learnSafeStart")
         explanation = tr(
-            "Calculated from the values in the board, for each channel on its own. Two "
+            "Calculated from the values in the board, separately for each channel. Two "
             "assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway "
             "between neutral and the end (inferred)."
         )

@@ -198,7 +198,7 @@ class ReviewPage(Page):
         self._on_measured()
         self._common.setVisible(any(form.channel.choice is not None for form in self._forms))
         count = self._learning.other_edits
-        text = tr("%n earlier pending edit(s) will be written, too.", "", count)
+        text = tr("%n earlier pending edit(s) will also be written.", "", count)
         self._earlier.show_note(text if count else "", alarming=True)
         self._show_signs()
 
@@ -228,7 +228,7 @@ class ReviewPage(Page):
         if channel.choice is None:
             return "warning", "warning", tr("Nothing was learned.")
         if not channel.choice.included:
-            return "", "", tr("Keeps its old values.")
+            return "", "", tr("This channel keeps its old values.")
         if channel.result_problems:
             return "warning", "warning", tr("Check this channel.")
-        return "ok", "good", tr("Its new values will be used.")
+        return "ok", "good", tr("The new values of this channel will be used.")

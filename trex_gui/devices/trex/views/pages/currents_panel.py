@@ -49,7 +49,7 @@ class CurrentsPanel(TracePanel):
             if self._device.link is ConnectionState.DISCONNECTED:
                 empty_text = tr(
                     "No board is connected. Select a port at the top of the main window and "
-                    "press Connect; without hardware, select the demo board."
+                    "press Connect. If you have no hardware, select the demo board."
                 )
         elif self._device.board.is_joint:
             note = empty_text = tr("Joint mode: the board does not sense currents.")

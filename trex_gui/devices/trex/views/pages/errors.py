@@ -53,10 +53,11 @@ class ErrorsPage(ProblemsPage):
         counters, quality = board.counters, board.quality
         is_open = self._device.is_connected and opened is not None
         is_known = is_open and quality.is_noisy is not None
-        requests_text = tr("Requests: {0}, of which without a reply: {1}.")
+        requests_text = tr("Requests: {0}. Requests without a reply: {1}.")
         returns_text = tr(
-            "The board came back in another mode, so its power was off in the meantime. A "
-            "restart in the same mode is not reported. Returned after silence: {0}."
+            "A restart is detected if the board comes back in another mode, because its "
+            "power was off in the meantime. A restart in the same mode is not detected. "
+            "Returns after silence: {0}."
         )
         details = requests_text.format(counters.requests, counters.missing)
         readings = (
@@ -86,12 +87,17 @@ class ErrorsPage(ProblemsPage):
         elif is_active:
             title = tr("{0}, active now").format(title)
         elif device.is_connected and entry.count:
-            title = tr("{0}, over").format(title)
+            title = tr("{0}, no longer active").format(title)
         texts = [tr(entry.meaning)]
         if entry.count:
             texts.append(tr(entry.remedy))
         if entry.is_doubtful:
-            texts.append(tr("The line is noisy and has no CRC: a corrupted reply looks the same."))
+            texts.append(
+                tr(
+                    "The line is noisy and has no CRC, so a corrupted reply can look "
+                    "like this error."
+                )
+            )
         times = ""
         if entry.last is not None:
             times = self.times_text(entry.count, entry.last)

@@ -70,7 +70,9 @@ class DocumentChannels(PlotPage):
         options.show_channel(self._strips.channel, self._source, editable=True)
         self._card.show_channel(key, shown, before, after, editable=shown is not None)
         self._card.note.show_note("")
-        self._absence.show_text("" if shown else tr("Not in the file: the board keeps its own."))
+        self._absence.show_text(
+            "" if shown else tr("Not in the file: the board keeps its own calibration.")
+        )
         self._add.setEnabled(shown is None)
         self._leave_out.setEnabled(shown is not None)
         self._findings.refresh()

@@ -62,8 +62,8 @@ class TextPage(QWidget):
         text, tip = tr("Chec&k again"), tr("Read the text again and list its errors")
         self._check = button(self, "checkAgainButton", text, icon="reload", tip=tip)
         tip = tr(
-            "Replace values with units by wire values, and numbers outside their range by "
-            "the nearest valid number; the file changes when you save it"
+            "Convert values with units to wire values, and replace numbers that are out of "
+            "range with the nearest valid number. The file changes only when you save it"
         )
         text = tr("&Repair values")
         self._repair = button(self, "repairTextButton", text, icon="edited", tip=tip)
@@ -154,8 +154,8 @@ class TextPage(QWidget):
         document = self._document
         if not document.readable:
             return tr(
-                "This file cannot be used. Correct the text here, then check it again; "
-                "the other pages open once it has no errors."
+                "This file cannot be used. Correct the text here, then check it again. The "
+                "other pages become available once the text has no errors."
             )
         if document.problem:
             return tr(
@@ -163,8 +163,8 @@ class TextPage(QWidget):
                 "rewrite the file from the settings."
             ).format(document.problem)
         return tr(
-            "Save writes this text. Comments and the order of the lines stay as they are; change "
-            "values on the other pages."
+            "“Save” writes this text. Comments and the order of the lines do not change. To "
+            "change values, use the other pages."
         )
 
 

@@ -159,7 +159,7 @@ class SettingsEditor(QMainWindow):
     def _on_saved(self, path: Path) -> None:
         text = tr("Saved in {0}.").format(path)
         if not self.document.readable:
-            text += " " + tr("It still has errors.")
+            text += " " + tr("The file still has errors.")
         self._banner.show_news(text)
         self.saved.emit(path)
 

@@ -32,17 +32,24 @@ class SticksPage(Page):
         self._learning = learning
         self._unclear: tuple[int, ...] = ()
         side = self.side
-        text = tr("About two minutes; the motors stay off. The next step needs the directions.")
+        text = tr(
+            "Learning takes about two minutes, and the motors stay off. The next step "
+            "needs the stick directions."
+        )
         button = partial(ui.button, side, default=False)
         self._learn = button("setupLearnButton", tr("&Learn channels…"), icon="calibrate")
         self._learn.clicked.connect(lambda: learning.start(CHANNELS))
         self._blocker = ui.named(Note(1, side), "setupLearnBlocker")
-        pushed = ui.label(side, text=tr("Already learned? Push, hold and click:"), wrap=True)
+        pushed = ui.label(
+            side,
+            text=tr("Already learned? Hold the sticks as a button says, then click the button:"),
+            wrap=True,
+        )
         self._forward = button("setupForwardButton")
         self._forward.clicked.connect(lambda: self._record((2,) if self._has_one_stick else (1, 2)))
         text_right = tr("The stick is fully &right now")
         self._right = button("setupRightButton", text_right, on_click=lambda: self._record((1,)))
-        self._wiring = Muted(tr("Each is connected to an output of your receiver."), self)
+        self._wiring = Muted(tr("Each channel is connected to an output of your receiver."), self)
         self._strips = {channel: InputStrip("setup", channel, self) for channel in (1, 2)}
         self._notes: dict[int, Note] = {}
         channels = ui.column(spacing=8)
@@ -97,13 +104,13 @@ class SticksPage(Page):
         if self._has_one_stick:
             names = {1: tr("Channel 1 (turns)"), 2: tr("Channel 2 (drives)")}
         texts = {
-            None: tr("{0}: its direction is not known yet."),
+            None: tr("{0}: the direction is not known yet."),
             True: tr("{0}: the value rises."),
             False: tr("{0}: the value falls."),
         }
         text = texts[self._setup.rises.get(channel)]
         if is_unclear:
-            text = tr("{0}: the stick is still near its middle. Push it all the way.")
+            text = tr("{0}: the stick is still near its centre. Push the stick all the way.")
             if self._device.telemetry.raw_of(channel) is None:
                 text = tr("{0}: no signal arrives.")
             if self._device.calibrations.source is InputSource.RC:
@@ -206,8 +213,9 @@ class WiringPage(Page):
         if Movement.NOTHING in setup.movements.values():
             if self._device.motors.ceiling < STRONGER:
                 return tr(
-                    "Nothing turned: the pulses stay below the speed ceiling of the Motors page. "
-                    "Raise it, or check the battery and the wires of this motor."
+                    "Nothing turned: the pulses stay below the speed ceiling of the Motors "
+                    "page. Raise the ceiling, or check the battery and the wires of this "
+                    "motor."
                 )
             return tr(
                 "Nothing turned: the next pulses are stronger (30 %). If that does not help, check "
@@ -239,6 +247,6 @@ def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
     left = tr("Swap the two wires of the left motor.")
     right = tr("Swap the two wires of the right motor.")
     texts += [left if side is Side.LEFT else right for side in sorted(rewiring.reverse)]
-    program = tr("No setting does this for serial commands; your own program can do it instead.")
-    board = tr("No setting of the board does this.")
+    program = tr("No setting can make this change for serial commands, but your own program can.")
+    board = tr("No setting of the board can make this change.")
     return " ".join([*texts, program if driver is Driver.COMPUTER else board])

@@ -137,5 +137,7 @@ class SetupFlow(Flow):
         if not edits:
             return ""
         return tr(
-            "Next adds %n change(s). Nothing is written before you apply them.", "", len(edits)
+            "“Next” adds %n change(s). Nothing is written until you apply the changes.",
+            "",
+            len(edits),
         )

@@ -45,7 +45,9 @@ class DriverPage(Page):
         for driver, caption in captions.items():
             self._choices.show_picture(driver, partial(paint_driver, driver), caption)
         self._choices.chosen.connect(setup.select_driver)
-        text = tr("Each step can be skipped. Nothing is written before you apply it at the end.")
+        text = tr(
+            "You can skip any step. Nothing is written until you apply the changes at the end."
+        )
         ui.column((self._choices, 1), Muted(text, self), into=self, margins=0, spacing=16)
 
     def refresh(self) -> None:
@@ -60,7 +62,7 @@ class JumperPage(Page):
         self._picture = JumperPicture(self)
         self._mode = ui.named(Note(3, self.side), "setupModeCheck")
         self._mix = ui.named(Note(3, self.side), "setupMixCheck")
-        text = tr("Schematic: the user's guide shows where your board has them.")
+        text = tr("Schematic drawing: see the user's guide for the positions on your board.")
         middle = Qt.AlignmentFlag.AlignCenter
         ui.column((self._picture, 1, middle), Muted(text, self), into=self, margins=0)
         ui.column(self._mode, self._mix, into=self.side, margins=0)
@@ -94,12 +96,13 @@ class JumperPage(Page):
         is_on = self._device.mix_jumper.is_on
         if is_on is not is_mixed and self._device.writer.is_rejected:
             return None, tr(
-                "The mix jumper can be checked in serial mode only: in this mode a stick "
-                "would drive the motors."
+                "The mix jumper can be checked only in serial mode. In the present mode, a "
+                "stick would drive the motors."
             )
         if is_on is None:
             return None, tr(
-                "The board does not report the mix jumper. Push a stick to one side to see it."
+                "The board does not report the state of the mix jumper. Push a stick to one "
+                "side to detect it."
             )
         if is_on is is_mixed:
             return True, tr("The mix jumper is on.") if is_on else tr("The mix jumper is off.")
@@ -167,7 +170,7 @@ class LimitsPage(Page):
     def _hint_text(self) -> str:
         preset = self._setup.preset
         if self._device.board.is_joint:
-            return tr("In joint mode the board measures no current, so it cannot limit it.")
+            return tr("In joint mode the board does not measure the current and cannot limit it.")
         text = tr(
             "Set the current that your motors can draw continuously; the presets are "
             "examples. Without a ramp, the current exceeds the limit for a moment."
@@ -271,11 +274,11 @@ class SummaryPage(Page):
         setup = self._setup
         wiring = setup.wiring
         if step is SetupStep.JUMPERS:
-            return tr("Wrong positions, or not checked.")
+            return tr("The positions are wrong or have not been checked.")
         if step is SetupStep.STICKS:
             return tr("The directions of the sticks are not known.")
         if step is not SetupStep.MOTORS:
-            return tr("Skipped, or its changes were undone.")
+            return tr("This step was skipped, or its changes were undone.")
         if wiring is None:
             return tr("It is not known which motor drives which wheel.")
         if rewiring := wiring.rewiring(setup.driver):
@@ -283,7 +286,7 @@ class SummaryPage(Page):
             return tr("{0} Then test the motors again.").format(text)
         if setup.driver.uses_sticks and not setup.knows_sticks:
             return tr("The motor settings depend on the directions of the sticks.")
-        return tr("Its changes were not added: open the step and click Next.")
+        return tr("The changes of this step were not added. Open the step and click Next.")
 
     def _task_texts(self) -> list[str]:
         driver, source = self._setup.driver, self._device.calibrations.source

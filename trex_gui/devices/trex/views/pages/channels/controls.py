@@ -105,11 +105,13 @@ CHANNEL_OPTIONS = {  # key → title and tool tip
     ),
     ParameterKey.IGNORED_CHANNELS: (
         tr_noop("I&gnored"),
-        tr_noop("Held at neutral whatever the input; for channels without a cable"),
+        tr_noop(
+            "Holds the channel at neutral regardless of its input. For channels without a cable"
+        ),
     ),
     ParameterKey.REQUIRED_CHANNELS: (
         tr_noop("Re&quired in RC mode"),
-        tr_noop("The motors stop when its pulses are missing for half a second"),
+        tr_noop("The motors stop when the pulses of this channel are missing for half a second"),
     ),
 }
 
@@ -223,8 +225,10 @@ class OtherSource(QWidget):
         if is_serial and is_stored and is_edited:
             text = tr("Stored: the board reads {0} after the next power cycle.").format(name)
         elif is_serial and is_edited:
-            text = tr("Edited: apply it, then power-cycle the board to read {0}.").format(name)
-        values = tr("Its values have not been read yet.")
+            text = tr("Edited: apply the change, then power-cycle the board to read {0}.").format(
+                name
+            )
+        values = tr("The values of this input source have not been read yet.")
         if provenance is not None:
             origin = channel_text.provenance_text(provenance)
             values = tr("The values below were {0}.").format(origin)

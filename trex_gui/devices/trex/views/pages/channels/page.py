@@ -349,7 +349,7 @@ class ChangeMenu(QMenu):
         calibration = calibrations.shown(self._channel)
         if calibration is None or calibration.problem():
             return
-        text = tr("Copy of the calibration of channel {0}").format(self._channel)
+        text = tr("Copy calibration of channel {0}").format(self._channel)
         with self._device.draft.one_edit(text):
             for channel in set(channels) - {self._channel}:
                 calibrations.edit(channel, calibration)

@@ -157,7 +157,7 @@ class DrivePad(RobotView):
 
     def spoken_state(self) -> str:
         turning = tr("Hold an arrow key to drive while the pad has the focus.")
-        straight = tr("Hold Up or Down to drive; the motors cannot turn separately.")
+        straight = tr("Hold Up or Down to drive. The motors cannot be driven separately.")
         position = tr("At rest.")
         if self._forward or self._turn:
             ahead = tr("forward") if self._forward >= 0 else tr("back")

@@ -123,7 +123,7 @@ class GamepadDialog(ReusedDialog):
         self._robot = RobotView(live)
         self._live_layout = ui.column(self._live, (self._robot, 1), into=live)
         uses = ui.Card(tr("Assignment"), self)
-        mixed, tank = tr("One axis drives, the other turns"), tr("An axis for each motor")
+        mixed, tank = tr("One axis drives, the other turns"), tr("One axis for each motor")
         self._style = ui.combo_box(
             uses,
             "gamepadStyleCombo",
@@ -227,8 +227,8 @@ class GamepadDialog(ReusedDialog):
         text = tr("The gamepad cannot drive while this window is open, but its stop button works.")
         if profile.hold is None:
             text = tr(
-                "Without a button to hold, a bumped stick drives the motors. The gamepad cannot "
-                "drive while this window is open."
+                "Without a hold button, bumping a stick drives the motors. The gamepad "
+                "cannot drive while this window is open."
             )
         self._note.show_note(text)
         self._note.setAccessibleName(text)
@@ -238,7 +238,7 @@ class GamepadDialog(ReusedDialog):
         for row, axis in ((first, profile.first), (second, profile.second)):
             row.set_inputs(_axis_names(pad))
             row.show_input(axis.number, inverted=axis.inverted)
-        hold.set_inputs(_button_names(pad), tr("none: a moved stick drives"))
+        hold.set_inputs(_button_names(pad), tr("none: moving a stick drives"))
         hold.show_input(profile.hold)
         stop.set_inputs(_button_names(pad), tr("none"))
         stop.show_input(profile.stop)

@@ -42,8 +42,10 @@ class GamepadPanel(QWidget):
         self._unfocused = ui.check_box(
             self,
             "gamepadUnfocusedBox",
-            tr("Stop behi&nd other windows"),
-            accessible=tr("Stop what the gamepad drives when the window loses the focus"),
+            tr("Stop when behi&nd another window"),
+            accessible=tr(
+                "Stop the motors that the gamepad drives when the window loses the focus"
+            ),
             checked=self.gamepad.stops_unfocused,
             on_toggle=self.gamepad.set_stops_unfocused,
         )

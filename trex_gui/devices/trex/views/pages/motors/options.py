@@ -42,8 +42,9 @@ class SpeedCeiling(QWidget):
         super().__init__(parent)
         self._motors = motors
         tip = tr(
-            "Highest speed that this program sends to this board; full deflection of pad, "
-            "keys and gamepad gives this speed. Raising it does not speed up a running motor."
+            "Maximum speed that this program sends to this board. Full deflection of the "
+            "pad, the keys or the gamepad gives this speed. Raising the ceiling does not "
+            "speed up a running motor."
         )
         text = tr("&Speed ceiling")
         accessible = text.replace("&", "")
@@ -63,7 +64,7 @@ class SpeedCeiling(QWidget):
         motors = self._motors
         self._entry.show_setpoint(motors.ceiling)
         self.setEnabled(bool(motors.board))
-        text = tr("Raise it once the motors turn the right way.")
+        text = tr("Raise the ceiling once the motors turn the right way.")
         self._note.show_text(text if motors.board and motors.is_first_drive else "")
 
 
@@ -77,7 +78,8 @@ class DriveWith(ui.Card):
         self._motors = motors = device.motors
         tip = tr(
             "Held keys drive wherever the focus is on this page, except in number fields, "
-            "tables and lists; sliders then get no arrow keys. In the pad they always drive."
+            "tables and lists. Arrow keys then no longer move the sliders. While the pad has "
+            "the focus, keys always drive."
         )
         self.keys = ui.check_box(self, "driveWithKeys", tr("Arrow ke&ys or WASD"), tip=tip)
         text = tr("Both motors &linked")
@@ -100,7 +102,7 @@ class DriveWith(ui.Card):
         self._link.setChecked(motors.linked)
         self._link.setEnabled(can_link and not self._device.board.is_joint)
         linked = tr("Either slider sets both motors, so the robot does not turn")
-        blocked = tr("The motors run differently: stop both, or give both the same speed")
+        blocked = tr("The motors run at different speeds: stop both, or set both to the same speed")
         self._link.setToolTip(linked if can_link else blocked)
 
 
@@ -119,12 +121,12 @@ class Options(ui.Card):
             "duration before reversing"
         )
         accelerate = ui.named(QRadioButton(text, self), "accelerateButton", tip=tip)
-        tip = tr("Bypasses ramp and brake duration, and for a moment also the current limit")
+        tip = tr("Bypasses the ramp and the brake duration, and briefly the current limit")
         at_once = ui.named(QRadioButton(tr("Se&t at once"), self), "setButton", tip=tip)
         (accelerate if motors.accelerate else at_once).setChecked(True)
         tip = tr(
-            "Strength of Brake, and of releasing the pad, a key or a held slider; Stop always "
-            "brakes fully"
+            "Strength of braking with the Brake button, and after you release the pad, a key "
+            "or a held slider. Stop always brakes fully"
         )
         title = tr("&Brake strength")
         brake = _StrengthEntry(0, self._on_brake_chosen, self)
@@ -152,7 +154,10 @@ class Options(ui.Card):
         key = "motors/stop_on_leaving"
         self.stop_on_leaving = self._create_stored_box("stopOnLeaving", text, tip, key)
         text = tr("Sliders return to &zero")
-        tip = tr("A slider drives only while you hold it; letting go brakes its motor")
+        tip = tr(
+            "A slider drives its motor only while you hold the slider. Releasing the "
+            "slider brakes the motor"
+        )
         key = "motors/return_to_zero"
         self.return_to_zero = self._create_stored_box("returnToZero", text, tip, key)
 

@@ -89,7 +89,7 @@ class AccelerationEditor(NumberEditor):
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
-        tip = tr("{0}. The board stores the nearest time. Or speed steps, such as {1}.")
+        tip = tr("{0}, or speed steps such as {1}. The board stores the nearest time.")
         self.setToolTip(tip.format(spec.short_range(), f"25 {spec.unit}"))
 
     def _physical_wire(self, text: str) -> int:
@@ -128,7 +128,7 @@ class FrequencyEditor(UnitSpinBox):
             return self.value()
         hertz = quantity(re.sub("[kK]$", "kHz", text.strip()), "Hz") or 0
         if not self._hertz[0] / _TOLERANCE <= hertz <= self._hertz[-1] * _TOLERANCE:
-            message = tr("The PWM frequency is {0}, not {1}.")
+            message = tr("The PWM frequency must be {0}, not {1}.")
             raise BadRequest(message.format(frequency_range(self._codes), text.strip()))
         nearest = min(range(len(self._codes)), key=lambda index: abs(self._hertz[index] - hertz))
         return self._codes[nearest]

@@ -178,7 +178,7 @@ class ParametersPage(QWidget):
         if waiting := self._model.values.waiting_for_power:
             text = tr("Stored, but not active until the board is switched off and on: {0}.")
             return text.format(", ".join(waiting))
-        return tr("Edit, then review. Nothing is written before that.")
+        return tr("Edit, then review. Nothing is written before the review.")
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:

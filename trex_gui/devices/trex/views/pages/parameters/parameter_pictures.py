@@ -65,7 +65,7 @@ def _ramp(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
     end: Points = (0.9, 0.8), (0.9, 0), (1, 0)
     command = Stroke(((0.1, 0), (0.1, 0.8), *end), "muted", _DASHED)
     speed = Stroke(((0, 0), (0.1, 0), (top, 0.8), *end))
-    text = tr("Speed after an accelerate command: {0}. It slows down at once.").format(value)
+    text = tr("Speed after an accelerate command: {0}. The motor slows down at once.").format(value)
     return Picture(text, value, (command, speed) if wire else (speed,))
 
 
@@ -93,7 +93,7 @@ def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
         if (y1 - limit) * (y2 - limit) < 0:
             limited.append((x1 + (x2 - x1) * (limit - y1) / (y2 - y1), limit))
     lines = Stroke(demand, "muted", _DASHED), Stroke((*limited, (1, min(0.34, limit))))
-    text = tr("Current of a motor that starts, limit: {0}").format(value)
+    text = tr("Current of a starting motor, limit: {0}").format(value)
     if not wire:
         return Picture(text, value, lines[1:])
     edge = Stroke(((0, limit), (1, limit)), "limit")
@@ -123,7 +123,7 @@ def _stop(
 
 def _brake(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
     value, speed = spec.text(wire), Stroke(((0, 0.8), (0.35, 0), (0.65, 0), (1, 0.8)))
-    text = tr("Speed over the stick, brake in the deadband: {0}").format(value)
+    text = tr("Speed against the stick position, brake in the deadband: {0}").format(value)
     return Picture(text, value, (speed,), (0.35, 0.65, 0.8 * wire / spec.maximum))
 
 
