@@ -71,8 +71,6 @@ class Film(QObject):
     def _scenes(self) -> Iterator[None]:
         manager = self._program.device_manager
         yield from self._wait(1.0)
-        while not self._visible("startDemo"):
-            yield
         yield from self._click("startDemo")
         while manager.current.link is not ConnectionState.CONNECTED:
             yield
@@ -106,11 +104,9 @@ class Film(QObject):
     def _wait(seconds: float) -> Iterator[None]:
         yield from [None] * round(seconds * RATE)
 
-    def _visible(self, name: str) -> list[QWidget]:
-        return [child for child in self._window.findChildren(QWidget, name) if child.isVisible()]
-
     def _find(self, name: str) -> QWidget:
-        return self._visible(name)[0]
+        children = self._window.findChildren(QWidget, name)
+        return next(child for child in children if child.isVisible())
 
     def _point(self, widget: QWidget, place: QPoint) -> None:
         self._pointer = QPointF(widget.mapTo(self._window, place))

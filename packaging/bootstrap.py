@@ -713,12 +713,13 @@ def command_translations() -> int:
 def command_pictures() -> int:
     """Write the pictures of the help and the animation of the README, as at a first start."""
     set_up()
-    with tempfile.TemporaryDirectory() as home:
-        folders = {f"XDG_{kind}_HOME": home for kind in ("CONFIG", "DATA", "CACHE")}
-        env = {**OFFSCREEN, **folders, "LC_ALL": "C.UTF-8"}
-        return run_in_sight([str(venv_python()), str(PICTURES)], env) or run_in_sight(
-            [str(venv_python()), str(ANIMATION)], env
-        )
+    for script in (PICTURES, ANIMATION):
+        with tempfile.TemporaryDirectory() as home:
+            folders = {f"XDG_{kind}_HOME": home for kind in ("CONFIG", "DATA", "CACHE")}
+            env = {**OFFSCREEN, **folders, "LC_ALL": "C.UTF-8"}
+            if code := run_in_sight([str(venv_python()), str(script)], env):
+                return code
+    return 0
 
 
 # --- The command line --------------------------------------------------------------------------

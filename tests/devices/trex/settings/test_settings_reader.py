@@ -176,8 +176,8 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
         (
             "product: Tic T825\ncontrol_mode: serial\n",
             (
-                "line 1: product: must be TReX or TReX Jr, not Tic T825; these are not settings of a "
-                "TReX"
+                "line 1: product: must be TReX or TReX Jr, not Tic T825; "
+                "these are not settings of a TReX"
             ),
         ),
         (
@@ -187,8 +187,8 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
         (
             "product:\n",
             (
-                "line 1: product: must be TReX or TReX Jr, not nothing; these are not settings of a "
-                "TReX"
+                "line 1: product: must be TReX or TReX Jr, not nothing; "
+                "these are not settings of a TReX"
             ),
         ),
         (
