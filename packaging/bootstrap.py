@@ -717,8 +717,9 @@ def command_pictures() -> int:
         with tempfile.TemporaryDirectory() as home:
             folders = {f"XDG_{kind}_HOME": home for kind in ("CONFIG", "DATA", "CACHE")}
             env = {**OFFSCREEN, **folders, "LC_ALL": "C.UTF-8"}
-            if code := run_in_sight([str(venv_python()), str(script)], env):
-                return code
+            code = run_in_sight([str(venv_python()), str(script)], env)
+        if code:
+            return code
     return 0
 
 

@@ -337,7 +337,7 @@
         <translation>Sequenz {0}: Ein Schritt ist eine Pose, ein senkrechter Strich und {1} bis {2} ms, nicht {3!r}</translation></message>
     <message><source>pose {0} has {1} positions for {2} servos; the last positions are kept, but not used</source>
         <translation>Pose {0} hat {1} Positionen für {2} Servos; die letzten bleiben erhalten, werden aber nicht verwendet</translation></message>
-    <message><source>line {0} defines this {1} again and takes precedence; the {1} in this line is now called {2}</source>
+    <message><source>line {0} defines this {1} again and takes precedence; the name in this line becomes {2}</source>
         <translation>Zeile {0} enthält diese {1} noch einmal und gilt; diese hier heißt jetzt {2}</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>Sequenz {0} verwendet die Pose {1}, die nicht in der Datei steht</translation></message>

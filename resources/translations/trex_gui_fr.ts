@@ -337,7 +337,7 @@
         <translation>séquence {0} : une étape se compose d'une pose, d'une barre et de {1} à {2} ms, pas {3!r}</translation></message>
     <message><source>pose {0} has {1} positions for {2} servos; the last positions are kept, but not used</source>
         <translation>la pose {0} a {1} positions pour {2} servos ; les dernières sont conservées, mais pas utilisées</translation></message>
-    <message><source>line {0} defines this {1} again and takes precedence; the {1} in this line is now called {2}</source>
+    <message><source>line {0} defines this {1} again and takes precedence; the name in this line becomes {2}</source>
         <translation>la ligne {0} contient de nouveau cette {1} et compte ; celle-ci s'appelle maintenant {2}</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>la séquence {0} utilise la pose {1}, qui n'est pas dans le fichier</translation></message>

@@ -90,7 +90,7 @@ def test_boards_are_listed_selected_renumbered_and_written(
     window.trigger("defaults")
     review = window.dialog("reviewDialog")
     review.click("boardResetButton")
-    assert "It would get device number 7, which another board" in review.text("questionText")
+    assert "The board would get device number 7, which another board" in review.text("questionText")
     review.click("questionCancel")
     review.click("reviewCloseButton")
 

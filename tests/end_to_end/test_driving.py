@@ -199,7 +199,7 @@ def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> N
 def test_focus_moves_from_arming_to_stop_button(page: MotorsPage) -> None:
     ceiling = page.motors.ceiling
     run = page.button("runButton")
-    assert "nothing moves yet" in run.accessibleDescription()
+    assert "Nothing moves yet" in run.accessibleDescription()
     run.setFocus()
     QTest.keyClick(run, Qt.Key.Key_Space)
     page.wait(page.is_armed)

@@ -51,7 +51,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     assert "Motor 1 fault, active now" in QGuiApplication.clipboard().text()
 
     quick_simulator.do("fault 1 off")
-    page.wait(lambda: title("MOTOR1_FAULT") == "Motor 1 fault, over")
+    page.wait(lambda: title("MOTOR1_FAULT") == "Motor 1 fault, no longer active")
     page.click("MOTOR1_FAULTClear")
     assert tabs.tabText(index) == "Problems"
     assert title("MOTOR1_FAULT"), "the card of a past error remains"

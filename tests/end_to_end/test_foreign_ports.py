@@ -200,7 +200,7 @@ def test_noisy_line_is_reported_and_crc_is_set_up(
     review = window.dialog("reviewDialog")
     assert review.root.isVisible()
     assert [device.draft.pending, device.parameters.values.value_of("uart_settings")] == [1, CRC]
-    assert "Other programs on this line must use it" in window.text("bannerText")
+    assert "Other programs on this line must also use" in window.text("bannerText")
     review.click("writeButton")
     window.wait(lambda: device.parameters.values.stored.get("uart_settings") == CRC)
     review.root.close()

@@ -108,10 +108,10 @@ def test_snapshot_of_another_board_shows_a_warning(
     assert "No board is connected" in dialog.text("restoreNote")
 
     window.connect(quick_simulator.url)
-    dialog.wait_for_text("restoreNote", "of a TReX Jr, and the board here is a TReX")
+    dialog.wait_for_text("restoreNote", "from a TReX Jr, but the connected board is a TReX")
     assert not dialog.is_enabled("restoreButton")
     dialog.select_snapshot(1)
-    dialog.wait_for_text("restoreNote", "device number 9, the board here is number 7")
+    dialog.wait_for_text("restoreNote", "device number 9, and the connected board has number 7")
     assert dialog.is_enabled("restoreButton")
 
     dialog.click("deleteSnapshotButton")

@@ -45,10 +45,10 @@ def test_load_dialog_compares_the_file_with_the_board(
     assert not dialog.is_enabled("takeChangesButton")
 
     dialog = files.load(tmp_path / "rover.txt", ROVER)
-    assert "For a TReX; the board is a TReX 1.2." in dialog.text("loadCaption")
+    assert "The file is for a TReX, and the board is a TReX 1.2." in dialog.text("loadCaption")
     summary = "3 parameters: 2 will change, 1 match; 1 calibration: 1 will change"
     assert summary in dialog.text("comparisonSummary")
-    assert "stay as they are" in dialog.findings()[-1]
+    assert "therefore unchanged" in dialog.findings()[-1]
     assert "Load 3 changes" in dialog.button_text()
     assert any("24 of 27 parameters are missing" in text for text in dialog.findings())
     assert device.draft.pending == 0
@@ -146,7 +146,9 @@ def test_file_of_another_model_is_converted_when_opened(
     window, device = connected_window, connected_window.device
     path = tmp_path / "junior.txt"
     dialog = files.load(path, JUNIOR)
-    assert dialog.text("loadCaption").startswith("For a TReX Jr; the board is a TReX 1.2.")
+    assert dialog.text("loadCaption").startswith(
+        "The file is for a TReX Jr, and the board is a TReX 1.2."
+    )
     assert dialog.findings()[1:3] == [
         "For a TReX 1.2: 2 carried over, 1 changed, 0 left out.",
         "Motor 1 Current Limit: 4.8 A. The same value in steps of 0.3 A: 60 becomes 16.",
@@ -229,7 +231,7 @@ def test_saving_keeps_comments_and_asks_before_replacing(
     after = path.read_text(encoding="utf-8")
     assert after.startswith(text.replace("9  # for", "5  # for"))
     assert "motor_mode: 0" in after
-    message = "Calibrations that the board does not show now stay in the file: analog."
+    message = "Calibrations that the board does not currently report remain in the file: analog."
     assert message in connected_window.text("bannerText")
 
     for text in ("Dear diary\n", "product: TReX Jr\n"):

@@ -56,7 +56,7 @@ def test_apply_starts_once_the_snapshot_is_saved(
     device, start = connected_window.device, now()
     review.wait(lambda: now() > start + SECONDS / 2)
     assert device.writer.running
-    assert "Nothing is written yet" in review.head
+    assert "Nothing has been written yet" in review.head
     assert not connected_window.is_enabled("applyButton")
     assert stored(quick_simulator) == 0
     review.wait_for_text("reviewHead", "written and verified")

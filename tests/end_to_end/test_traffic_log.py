@@ -262,7 +262,7 @@ def test_typed_bytes_are_explained_and_sent(
     page.type_into("transcriptBytes", "AF 07 05 55 2A", enter=False)
     assert page.is_enabled("transcriptSendButton")
     window.device.driving.set_reaching_several(True)
-    assert page.text("transcriptMeaning").endswith("store it: select one of them.")
+    assert page.text("transcriptMeaning").endswith("store the value: select a board.")
     assert not page.is_enabled("transcriptSendButton")
 
 
@@ -279,7 +279,7 @@ def test_typed_write_to_every_board_on_a_line_is_not_sent(
         return [boards.show(f"@{number}")["parameters"]["device_number"] for number in (7, 9)]
 
     page.type_into("transcriptBytes", "AF 00 0C 55 2A")
-    expected = "board on this line would store it: address device 7."
+    expected = "board on this line would store the value: address device 7."
     assert page.text("transcriptMeaning").endswith(expected)
     assert not page.is_enabled("transcriptSendButton")
     assert numbers() == [7, 9]

@@ -32,7 +32,7 @@ BAD_FILES = (
     BadFile("type", _HEADER + b"motor_mode: joint\n", 3, "not joint"),
     BadFile("list", _HEADER + b"motor_mode: [1]\n", 3, "a list"),
     BadFile("range", _HEADER + b"serial_timeout: 500\n", 3, "not 500"),
-    BadFile("physical", _HEADER + b"serial_timeout: 1.5 s\n", 3, "is written 15"),
+    BadFile("physical", _HEADER + b"serial_timeout: 1.5 s\n", 3, "write 15 for 1.5 s"),
     BadFile("order",
             _HEADER + b"rc_channel_1: {minimum: 9, neutral: 3, maximum: 20, deadband: 0}\n",
             3, "above neutral"),

@@ -58,7 +58,7 @@ def harness(buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot) -> Ite
 def test_sleep_delay_is_requested_and_held(harness: SleepHarness) -> None:
     [(what, who, why, mode)] = harness.logind.requested
     assert (what, who, mode) == ("sleep", "TReX Studio", "delay")
-    assert "Motors" in why
+    assert "motors" in why
     assert harness.logind.held == 1
 
 

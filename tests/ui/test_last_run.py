@@ -47,7 +47,7 @@ def log_stops(*stops: str) -> None:
 @pytest.mark.parametrize(
     ("result", "text"),
     [
-        ("confirmed", "stopped them at 2026-11-23 12:03:05, and the board confirmed that."),
+        ("confirmed", "stopped them at 2026-11-23 12:03:05, and the board confirmed the stop."),
         ("unconfirmed", "If a motor is still turning, cut its power."),
     ],
 )
@@ -83,7 +83,7 @@ def test_running_board_is_reported_first_until_it_is_stopped(
 ) -> None:
     url = "/dev/ttyNONE"
     file = left(url)
-    danger = "Motors may still be turning: no stop of the TReX 1.2 at /dev/ttyNONE"
+    danger = "Motors may still be turning: no stop has been confirmed for the TReX 1.2"
     window.program.report_last_run(has_crashed=True)
     window.wait_for_text("bannerText", danger)
     window.connect(quick_simulator.url)  # not the running board

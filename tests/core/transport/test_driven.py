@@ -127,7 +127,7 @@ def test_damaged_file_warns_of_motors(text: str, caplog: pytest.LogCaptureFixtur
     file.write_text(text)
     assert driven_boards() == {file: None}
     assert driven_at("/dev/ttyUSB0") == (file, None)
-    assert f"Motors may still be turning: {file} says" in caplog.text
+    assert f"Motors may still be turning: the file {file} shows" in caplog.text
 
 
 def test_board_is_found_at_changed_link(tmp_path: Path) -> None:

@@ -143,7 +143,7 @@ class LearningDialog(WidgetDriver):
 
     def sample_rest(self) -> None:
         self.click("learnNextButton")
-        self.wait_for_note("first went forward or right")
+        self.wait_for_note("forward or right first")
 
     def finish_travel(self) -> None:
         self.click("learnNextButton")

@@ -61,7 +61,7 @@ def test_query_of_trex_reports_no_aracna(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("aracna", "query", "--port", quick_simulator.url, exits=1)
-    assert "No Aracna responds" in result.stderr or "not like an Aracna" in result.stderr
+    assert "No Aracna responds" in result.stderr or "not from an Aracna" in result.stderr
 
 
 def test_speeds_sets_motors_and_prints_held_speeds(

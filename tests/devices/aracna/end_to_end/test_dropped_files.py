@@ -53,7 +53,7 @@ def test_dropped_files_open_in_their_workspace(
         reason = f"{name} was not opened: its type is not supported."
         window.wait_for_text("bannerText", reason)
         assert "a settings file of a TReX (.txt, .yaml, .yml)" in banner(window)
-        assert "a pose file of an Aracna (.ppr)" in banner(window)
+        assert "an Aracna pose file (.ppr)" in banner(window)
 
     assert window.drop(write_file("a.ppr", POSES), write_file("b.ppr", POSES))
     reason = "None of the 2 dropped files was opened. Drop one file at a time."
@@ -96,7 +96,7 @@ def test_dropped_file_of_other_device_is_rejected(
 
     window.select_demo("trex")
     assert window.drop(write_file("other.ppr", OTHER_POSES))
-    window.wait_for_text("bannerText", "other.ppr is a pose file of an Aracna.")
+    window.wait_for_text("bannerText", "other.ppr is an Aracna pose file.")
     assert "connected to TReX: disconnect, then open it again" in banner(window)
     assert window.device.link is ConnectionState.CONNECTED
     assert not shows_robot(window)
@@ -125,7 +125,7 @@ def test_pose_file_argument_opens_only_without_trex(
     program.connect_to_demo("trex")
     program.open_file(write_file("walk.ppr", POSES), connecting=True)
     window.wait_until_up("trex")
-    window.wait_for_text("bannerText", "walk.ppr is a pose file of an Aracna.")
+    window.wait_for_text("bannerText", "walk.ppr is an Aracna pose file.")
     assert poses(window) == before
 
     window.press_disconnect()

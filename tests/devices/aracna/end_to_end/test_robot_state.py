@@ -86,7 +86,7 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     window.connect_port(window.program.ports.demo_of("aracna"))
     window.wait_for_text("bannerText", "No Aracna responds")
     message = window.text("bannerText")
-    assert "does not listen while it moves: if it is moving, wait until it stops" in message
+    assert "If the robot is moving, wait until it stops" in message
     assert window.has("bannerFind")
 
 

@@ -97,7 +97,7 @@ def test_firmware_state_is_described_as_text() -> None:
 def test_servo_power_text_is_urgent_in_motion_and_when_off() -> None:
     harness = AracnaHarness()
     text, urgent = power_text(snapshot_of(harness))
-    assert "only way to stop a motion" in text
+    assert "switch off the servo power" in text
     assert not urgent
     harness.line.send(GOALS)
     harness.line.advance(0.1)

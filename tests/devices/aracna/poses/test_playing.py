@@ -123,7 +123,7 @@ def test_estimate_exceeds_step_times_only_with_slow_motors(
     [
         (8, ""),
         (18, "are for 18 motors, but the robot has 8: the last positions are ignored"),
-        (2, "are for 2 motors, but the robot has 8: its last motors go to 512"),
+        (2, "are for 2 motors, but the robot has 8: the remaining motors go to 512"),
     ],
 )
 def test_poses_for_other_motor_count_are_reported(positions: int, message: str) -> None:

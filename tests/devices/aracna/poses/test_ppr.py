@@ -79,7 +79,7 @@ def test_missing_positions_become_512_with_warning() -> None:
     assert project.poses == (Pose("short", (1, 2, 3, 512, 512, 512, 512, 512)),)
     [(line, message)] = messages(findings)
     assert line == 2
-    assert "3 positions of 8" in message
+    assert "3 of 8 positions" in message
     assert findings[0].severity is Severity.WARNING
     assert read_ppr(HEADER + "Pose=none:\n")[0].poses == (Pose("none", (512,) * 8),)
 
@@ -164,7 +164,7 @@ def test_blanks_around_names_are_ignored() -> None:
 def test_pose_differing_only_in_blanks_is_renamed(lines: tuple[str, str]) -> None:
     project, findings = read_ppr(HEADER + "".join(lines) + "Seq=s: a|500\n")
     assert {pose.name: pose.positions[0] for pose in project.poses} == {"a": 1, "a 2": 2}
-    [finding] = [one for one in findings if "is now called a 2" in one.message]
+    [finding] = [one for one in findings if "becomes a 2" in one.message]
     assert finding.severity is Severity.WARNING
     assert finding.line == 2 + [" a " in line for line in lines].index(True)
     assert project.sequences[0].missing_poses(project.pose_names) == ()

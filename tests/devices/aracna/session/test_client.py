@@ -38,7 +38,7 @@ def test_second_command_is_rejected_until_first_is_answered() -> None:
     harness = AracnaHarness()
     client = client_of(harness)
     client.query()
-    with pytest.raises(BadRequest, match="not replied to the last command"):
+    with pytest.raises(BadRequest, match="not yet replied to the last command"):
         client.move(THERE, 5.0)
     [answered] = received(client, 0.1)
     assert isinstance(answered, Answered)

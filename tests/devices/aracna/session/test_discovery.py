@@ -131,7 +131,7 @@ def test_booting_robot_without_reply_is_reported() -> None:
 def test_noise_is_not_reported_as_echo() -> None:
     harness = unpowered()
     harness.line.inject(b"\xff\x00\xff")
-    assert "not like an Aracna: FF 00 FF" in diagnosis(harness)
+    assert "not from an Aracna: FF 00 FF" in diagnosis(harness)
 
 
 def test_echo_is_reported_for_both_devices() -> None:
@@ -160,7 +160,7 @@ def test_reply_to_aracna_probe_is_reported_first() -> None:
     harness.transport.write = reply_to_probe  # type: ignore[method-assign]
     aracna, trex = search_both(harness.transport).lines
     assert sent == 5
-    assert "not like an Aracna" in aracna
+    assert "not from an Aracna" in aracna
     assert trex.startswith("No TReX responds")
 
 

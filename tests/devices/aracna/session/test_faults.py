@@ -137,7 +137,7 @@ def test_servo_failing_in_motion_is_reported_as_stuck_once() -> None:
     assert session.of(Progress)[-1].present == (600,) * 3
     assert not session.of(NotResponding)
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert outcomes[3] is not None  # closed before this was complete
+    assert outcomes[3] is not None  # closed before the request was complete
     assert outcomes[4] is not None
 
 

@@ -93,7 +93,7 @@ def test_sequence_does_not_resume_when_power_returns() -> None:
     assert not [time for time in session.when(Moving) if time > 7.3]
     [error] = [one.error for one in session.of(Outcome) if one.id == 2]
     assert "from its goal 300" in str(error)
-    assert "does not continue by itself" in str(error)
+    assert "then play the sequence again" in str(error)
 
 
 def test_single_unreadable_position_does_not_end_sequence() -> None:

@@ -24,13 +24,17 @@ ARACNA: list[tuple[Exchange, str, bool]] = [
     (
         (b".c5,6\n", b".c5,.h\r\n"),
         (
-            "go to 5, 6 → not a reply of an Aracna: .c5,; the robot has started and is busy for a "
-            "second"
+            "go to 5, 6 → not a reply from an Aracna: .c5,; "
+            "the robot has started and is busy for a second"
         ),
         True,
     ),
     ((b".c5,6\n", b".h\r\n"), "go to 5, 6 → the robot has started and is busy for a second", True),
-    ((b".c5,6\n", b"%!\r\n.c5,6\r\n"), "go to 5, 6 → not a reply of an Aracna: %!; at 5, 6", True),
+    (
+        (b".c5,6\n", b"%!\r\n.c5,6\r\n"),
+        "go to 5, 6 → not a reply from an Aracna: %!; at 5, 6",
+        True,
+    ),
     ((b"\n", b""), "end an unfinished line in the robot's buffer", False),
     ((b"", b".h\r\n"), "unsolicited: the robot has started and is busy for a second", False),
     ((b"", b".h"), "unsolicited: incomplete line: .h", True),

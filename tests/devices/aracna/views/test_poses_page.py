@@ -163,10 +163,10 @@ def test_positions_are_captured_and_named_once_they_are_known(driver: PosesPageD
     assert not driver.button("aracnaCapture").isEnabled()
     driver.show_present(None, *EIGHT[1:])
     assert not driver.button("aracnaCapture").isEnabled()
-    assert "after its first move" in driver.button("aracnaCapture").toolTip()
+    assert "until its first move" in driver.button("aracnaCapture").toolTip()
     driver.page.capture()
     assert driver.pose_names() == before
-    assert "after its first move" in driver.messages[-1]
+    assert "until its first move" in driver.messages[-1]
     driver.show_present(*EIGHT)
     driver.click("aracnaCapture")
     driver.type_name("aracnaPoses", "mine")

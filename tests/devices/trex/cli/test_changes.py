@@ -332,7 +332,7 @@ def test_defaults_are_restored_at_next_power_up(
     trexcmd("set", "serial_timeout", "15")
     trexcmd("calibration", "set", "1", "2400", "3700", "5100", "60")
     result = trexcmd("restore-defaults", stdin="y\n")
-    assert "Switch it off and on" in result.stderr
+    assert "Switch the board off and on" in result.stderr
     assert "19200 baud" in result.stderr
     quick_simulator.do("power cycle")
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0

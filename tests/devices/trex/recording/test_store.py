@@ -358,7 +358,7 @@ def test_huge_text_is_not_read(path: Path) -> None:
     )
     _, found, (problem,) = read_file(path)
     assert found == records
-    assert problem.startswith("Samples of marker between records")
+    assert problem.startswith("Samples of the kind marker between records")
 
 
 def test_huge_record_number_does_not_enlarge_the_recording(path: Path) -> None:

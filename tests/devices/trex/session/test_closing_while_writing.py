@@ -150,7 +150,7 @@ def test_skipped_settings_can_be_written_later() -> None:
 def test_close_cancels_write_that_has_not_started() -> None:
     attempt = scheduled_write(CLOSED_CASES["all_parameters"])
     attempt.harness.script.at(0.0, Close())
-    assert "closed before this was complete" in str(run(attempt).outcome.error)
+    assert "closed before the request was complete" in str(run(attempt).outcome.error)
     assert attempt.stored == attempt.case.before
 
 

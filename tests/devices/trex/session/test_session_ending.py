@@ -97,7 +97,9 @@ def test_close_does_not_wait_for_queued_requests(harness: SessionHarness) -> Non
     found = outcomes(reports)
     assert sorted(found) == [1, 2, 3]
     assert found[1].error is None  # a write has a result for each key
-    assert all("closed before this was complete" in str(found[number].error) for number in (2, 3))
+    assert all(
+        "closed before the request was complete" in str(found[number].error) for number in (2, 3)
+    )
 
 
 @pytest.mark.parametrize("delay", [0.0, 0.3, 1.0])

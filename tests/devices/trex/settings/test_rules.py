@@ -106,8 +106,9 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Context(),
             Expected(
                 "limit_without_gain",
-                "Motor 2 Current Limit is 3 A, but its proportionality constant P, how strongly "
-                "the limiter reacts, is 0. The limit may have no effect then (inferred).",
+                "Motor 2 Current Limit is 3 A, but its proportionality constant P, which sets how "
+                "strongly the limiter reacts, is 0. Therefore, the limit may have no effect "
+                "(inferred).",
                 ("motor2_current_limit", "motor2_current_limit_p"),
                 {"motor2_current_limit_p": 4},
                 "Set Motor 2 Current Limit Proportionality Constant P to 4",
@@ -118,9 +119,9 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Context(),
             Expected(
                 "limit_without_ramp",
-                "Motor 1 Current Limit is 3 A and Motor 1 Acceleration is 0, which means at once. "
-                "As soon as the current falls below the limit, the motor jumps back to its full "
-                "target speed, so it may run in jerks (inferred).",
+                "Motor 1 Current Limit is 3 A and Motor 1 Acceleration is 0, so the speed changes "
+                "at once. As soon as the current falls below the limit, the motor jumps back to "
+                "its full target speed, so it may run in jerks (inferred).",
                 ("motor1_current_limit", "motor1_acceleration"),
                 {"motor1_acceleration": 10},
                 "Set Motor 1 Acceleration to 1.3 s to full speed",
@@ -144,8 +145,8 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Context(),
             Expected(
                 "required_but_ignored",
-                "Both required and ignored: channel 2 and channel 3. The signal moves nothing, but "
-                "without it the motors may not run in RC mode (inferred).",
+                "Both required and ignored: channel 2 and channel 3. The signal controls nothing, "
+                "but without the signal the motors may not run in RC mode (inferred).",
                 ("required_channels", "ignored_channels"),
                 {"required_channels": 1},
                 "Set Required Channels to channel 1",
@@ -213,7 +214,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Expected(
                 "rate_the_port_lacks",
                 "This computer's serial port does not support 76800 baud: after the next power "
-                "cycle it could no longer reach the board.",
+                "cycle, the computer could no longer reach the board.",
                 ("uart_settings",),
                 {"uart_settings": uart(57600)},
                 "Set UART Settings to 57600 baud, no error detection, 1 stop bit",
@@ -224,9 +225,9 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
             Context(active_line=LineSettings()),
             Expected(
                 "line_will_change",
-                "After the next power cycle the line settings of the board are 115200 baud, no "
-                "error detection, 1 stop bit; now they are 19200 baud, no error detection, 1 stop "
-                "bit. Change the programs that use the board then.",
+                "After the next power cycle, the line settings of the board will be 115200 baud, "
+                "no error detection, 1 stop bit instead of 19200 baud, no error detection, 1 stop "
+                "bit. Programs that use the board must then use the new line settings.",
                 ("uart_settings",),
             ),
         ),

@@ -302,7 +302,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
     for name in ("learnButton", "reversedBox", "ignoredBox"):
         button = page.button(name)
         assert not button.isEnabled(), name
-        assert button.toolTip().startswith("The board reads RC pulses now,"), name
+        assert button.toolTip().startswith("The board now reads RC pulses,"), name
         assert "To see the calibrations for analog voltages" in button.toolTip(), name
     assert page.is_enabled("learnAllButton")
     assert not page.has("requiredBox")

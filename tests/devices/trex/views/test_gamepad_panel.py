@@ -110,7 +110,7 @@ def test_button_is_never_assigned_to_hold_and_stop(set_up: Panel) -> None:
     set_up.select_text("gamepadStopCombo", "button 5")
     assert set_up.profile.stop == HOLD
     assert set_up.profile.hold is None
-    assert "bumped" in set_up.text("gamepadSetUpNote")
+    assert "bumping a stick" in set_up.text("gamepadSetUpNote")
 
 
 def test_set_up_changes_apply_at_once(set_up: Panel) -> None:

@@ -36,7 +36,7 @@ def test_empty_history_explains_snapshots(dialog: HistoryDialog) -> None:
     dialog.open()
     empty = dialog.find(QLabel, "historyEmpty")
     dialog.wait(empty.isVisible)
-    assert "Before settings are applied" in empty.text()
+    assert "Before this program or trexcmd applies settings" in empty.text()
     assert not dialog.root.isModal()
 
 

@@ -84,7 +84,7 @@ def test_button_texts_follow_the_step(learning: LearningDialog) -> None:
     learning.push(1, -1)
     learning.finish_travel()
     assert again.text() == "&Start over"
-    assert "Nothing is written yet" in learning.note
+    assert "Nothing has been written yet" in learning.note
     learning.find(QCheckBox, "learnInclude1").click()
     learning.wait_for_note("No channel is selected")
     assert not next_button.isEnabled()
@@ -109,7 +109,7 @@ def test_review_compares_learned_with_stored_values(learning: LearningDialog) ->
     assert texts.count("was not reversed") == 2
     assert "This replaces a pending edit" in learning.text("learnReasons1")
     notice = learning.text("learnEarlierEdits")
-    assert notice == "2 earlier pending edits will be written, too."
+    assert notice == "2 earlier pending edits will also be written."
 
     assert "so that full output is reliably reached" in learning.text("learnCommonReasons")
     for channel in (1, 2):

@@ -90,7 +90,7 @@ def test_prompt_closes_when_no_user_waits(served: ServedWindow) -> None:
 def test_owner_may_take_over(served: ServedWindow, may_take: bool) -> None:
     served.report(LeaseChanged("me", "alice", may_take=may_take))
     served.report(REFUSED)
-    assert ("alice drives" in served.question) is may_take
+    assert ("alice is driving" in served.question) is may_take
     if may_take:
         served.press("takeOver")
         assert served.requested == [TakeLease()]
@@ -140,7 +140,10 @@ def test_robots_are_listed_and_offered_as_ports(
     ("outcome", "text"),
     [
         (lambda urls: dict.fromkeys(urls, ""), "2 robots stopped"),
-        (lambda urls: dict.fromkeys(urls, "The stop was sent"), "Not confirmed: trex://10.0.0.1"),
+        (
+            lambda urls: dict.fromkeys(urls, "The stop was sent"),
+            "Stop not confirmed: trex://10.0.0.1",
+        ),
     ],
 )
 def test_all_robots_are_stopped_and_named_if_not_confirmed(

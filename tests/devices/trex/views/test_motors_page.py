@@ -63,7 +63,7 @@ def test_page_explains_a_low_ceiling(
     assert page.text("ceilingNote") == ""
     page.connect(start_simulator("--unpaced", "--device", "9").url)
     assert entry.text() == "38 (30 %)"
-    assert page.text("ceilingNote").startswith("Raise it once")
+    assert page.text("ceilingNote").startswith("Raise the ceiling once")
     assert "30 % of full speed" in spoken_state(page.pad)
     assert page.find(QSpinBox, "motor1Entry").maximum() == 38
 

@@ -324,4 +324,6 @@ def test_rounded_value_is_reported(
     parameters.model.rounded.connect(sentences.append)
     type_number(parameters.open_with_keys(key), typed)
     parameters.wait_for_no_editor(key)
-    assert sentences == [f"The nearest that the board can store is {text}." for text in rounded]
+    assert sentences == [
+        f"The nearest value that the board can store is {text}." for text in rounded
+    ]

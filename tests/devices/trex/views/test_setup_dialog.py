@@ -136,7 +136,7 @@ def test_unclear_stick_is_explained_beside_its_input(setup_dialog: SetupDriver) 
     robot.push(1)
     setup_dialog.click("setupForwardButton")
     assert "not known yet" in setup_dialog.text("setupStick1Note")
-    assert "near its middle" in setup_dialog.text("setupStick2Note")
+    assert "near its centre" in setup_dialog.text("setupStick2Note")
     assert "Is the transmitter on?" in setup_dialog.text("setupStick2Note")
     strip = setup_dialog.find(InputStrip, "setup1Strip")
     setup_dialog.wait(lambda: spoken_state(strip).startswith("2000 µs"))
@@ -271,7 +271,7 @@ def test_board_in_rc_mode_is_explained_and_followed(setup_dialog: SetupDriver) -
     setup_dialog.click("setupBackButton")
 
     robot.simulator.do("jumper mode serial", "power cycle")
-    setup_dialog.wait(lambda: "Next adds 6 changes" in setup_dialog.text("setupNote"))
+    setup_dialog.wait(lambda: "“Next” adds 6 changes" in setup_dialog.text("setupNote"))
 
 
 def test_assistant_is_created_when_opened(

@@ -192,8 +192,8 @@ class _Reader:
                 name, next_numbers[item.name] = numbered_name(item.name, taken, first)
                 taken.add(name)
                 text = tr(
-                    "line {0} defines this {1} again and takes precedence; the {1} in this "
-                    "line is now called {2}"
+                    "line {0} defines this {1} again and takes precedence; the name in this "
+                    "line becomes {2}"
                 )
                 self.warn(number, text.format(last[item.name], tr(kind), name))
                 items[index] = (number, replace(item, name=name))

@@ -125,7 +125,7 @@ def test_different_stored_settings_suggest_another_board(driven: DrivenBoard, st
     second = start()
     second.do("eeprom serial_timeout 7")
     driven.replace_board(second)
-    assert driven.errors[-1].startswith("This may be another board: TReX 1.2, at ")
+    assert driven.errors[-1].startswith("This may be another board: the settings of TReX 1.2, at ")
     assert driven.closing_text() == warning_of(driven)
 
 
