@@ -64,7 +64,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     assert page.text("errorsReading1") == "–"
     quick_simulator.do("power on")
     restarts = page.find(QLabel, "errorsReading5")
-    page.wait(lambda: restarts.toolTip().endswith("Returned after silence: 1."))
+    page.wait(lambda: restarts.toolTip().endswith("Returns after silence: 1."))
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
     page.wait(lambda: restarts.text() == "1")

@@ -117,7 +117,7 @@ def test_arming_starts_recording_and_stop_saves_it(
         window.trigger("run")
         assert not recorder.recording, "the option is off"
     (log,) = [entry.text for entry in workspace.log.entries if "were saved" in entry.text]
-    assert log.startswith("The seconds around “Stop” were saved.")
+    assert log.startswith("The seconds around “Stop” were saved")
     assert "were saved" not in window.text("bannerText"), "it would cover a warning"
 
     def select(*arguments: object) -> tuple[str, str]:

@@ -28,7 +28,7 @@ _BOMB = b"product: TReX\na: &a [x, x]\n" + b"".join(
 
 BAD_FILES = (
     BadFile("unknown", _HEADER + b"serial_timeot: 5\n", 3, "did you mean serial_timeout"),
-    BadFile("duplicate", _HEADER + b"motor_mode: 0\nmotor_mode: 1\n", 4, "in line 3 already"),
+    BadFile("duplicate", _HEADER + b"motor_mode: 0\nmotor_mode: 1\n", 4, "already given in line 3"),
     BadFile("type", _HEADER + b"motor_mode: joint\n", 3, "not joint"),
     BadFile("list", _HEADER + b"motor_mode: [1]\n", 3, "a list"),
     BadFile("range", _HEADER + b"serial_timeout: 500\n", 3, "not 500"),

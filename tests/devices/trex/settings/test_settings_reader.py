@@ -12,7 +12,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import MAX_FINDINGS, read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
-UART_RANGE = "a baud rate, error detection and stop bits (low four bits 0 to 10)"
+UART_RANGE = "must be a baud rate, error detection and stop bits (low four bits 0 to 10)"
 EITHER_PRODUCT = "'product: TReX' or 'product: TReX Jr'"
 FOREIGN = "line 1: these are not settings of a TReX, which begin with 'product: TReX'"
 

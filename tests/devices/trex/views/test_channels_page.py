@@ -309,7 +309,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
 
     page.click("switchSourceButton")
     assert page.device.parameters.values.pending == (("channel_input_source", 1),)
-    assert "apply it, then power-cycle" in page.text("otherSourceWords")
+    assert "apply the change, then power-cycle" in page.text("otherSourceWords")
     page.apply()
     assert "after the next power cycle" in page.text("otherSourceWords")
     assert page.widget.source is InputSource.ANALOG
