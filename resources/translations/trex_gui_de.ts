@@ -7,7 +7,7 @@
         <translation>{0} kann {1} oder {2} bedeuten: Schreiben Sie, was Sie meinen</translation></message>
     <message><source>{0} is not a number</source>
         <translation>{0} ist keine Zahl</translation></message>
-    <message><source>empty</source>
+    <message><source>an empty text</source>
         <translation>leer</translation></message>
     <message><source>Internal error while searching {0} ({1}).</source>
         <translation>Interner Fehler bei der Suche an {0} ({1}).</translation></message>
@@ -1093,7 +1093,7 @@
         <translation>Es ist auf {0} Stoppbits eingestellt; an dieser Leitung funktioniert beides.</translation></message>
     <message><source> The port does not support {0} baud, so the scan skipped these settings.</source>
         <translation> Der Port unterstützt {0} Baud nicht, daher wurden diese Einstellungen ausgelassen.</translation></message>
-    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. Only the full scan finds a board with a custom CRC polynomial.</source>
+    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (an RS-232 adapter: to the RS-232 pins), and that ground is connected. Only the full scan finds a board with a custom CRC polynomial.</source>
         <translation>An {0} antwortet kein TReX, bei keiner Baudrate, mit keiner Parität und nicht mit CRC. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt) und ob die Masse verbunden ist. Ein Board mit eigenem CRC-Polynom findet nur die vollständige Suche.</translation></message>
     <message><source>, and data at {0} other settings</source>
         <translation>, und bei {0} weiteren ebenfalls etwas</translation></message>
@@ -2101,7 +2101,7 @@
         <translation>Bremsstärke</translation></message>
     <message><source>a motor's speed must be -127 to 127, not {0}</source>
         <translation>die Geschwindigkeit eines Motors ist -127 bis 127, nicht {0}</translation></message>
-    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch the board off and on.</source>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (an RS-232 adapter: to the RS-232 pins), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch the board off and on.</source>
         <translation>An {0} antwortet kein TReX. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt), ob die Masse verbunden ist und ob die seriellen Einstellungen des Boards diesen entsprechen. Wenn beide LEDs gemeinsam blinken, ist das Board im Lernmodus: Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
     <message><source>Everything sent on {0} comes back, and nothing else arrives. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
         <translation>Alles, was an {0} gesendet wird, kommt zurück, sonst nichts. Entweder ist das die RS-232-Seite eines Boards, das ausgeschaltet oder auf eine andere Baudrate eingestellt ist, oder TX und RX des Adapters sind miteinander verbunden.</translation></message>
@@ -2155,7 +2155,7 @@
         <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
     <message><source>Another board on this line has the device number {0}. Select an unused number.</source>
         <translation>Ein anderes Board an dieser Leitung hat die Gerätenummer {0}. Wählen Sie eine freie Nummer.</translation></message>
-    <message><source>Board {0} no longer follows: it stopped responding, was stopped or restarted.</source>
+    <message><source>Board {0} no longer follows the group: it stopped responding, was stopped, or restarted.</source>
         <translation>Board {0} folgt nicht mehr: Es verstummte, wurde gestoppt oder startete neu.</translation></message>
     <message><source>Board {0} is not one of the boards that are driven together here.</source>
         <translation>Board {0} gehört nicht zu denen, die hier gemeinsam gefahren werden.</translation></message>
@@ -2175,9 +2175,9 @@
         <translation>{0}: Das Board lehnt diesen Wert ab (Code 2)</translation></message>
     <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper and switch it on again</source>
         <translation>{0}: Das Board ist nicht im seriellen Modus (Code 3); schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es wieder ein</translation></message>
-    <message><source>{0} could not be verified: wrote {1}, but the board reads back {2}</source>
+    <message><source>{0} could not be verified: wrote {1}, but read back {2}</source>
         <translation>{0} konnte nicht bestätigt werden: {1} geschrieben, aber {2} zurückgelesen</translation></message>
-    <message><source>{0} could not be verified: the board reads back {1}</source>
+    <message><source>{0} could not be verified: read back {1}</source>
         <translation>{0} konnte nicht bestätigt werden: Zurückgelesen wurde {1}</translation></message>
     <message><source>{0} is for {1} inputs, but the board now reads {2} inputs</source>
         <translation>{0} gilt für die Eingangsquelle {1}, das Board liest jetzt aber {2}</translation></message>
@@ -2329,7 +2329,7 @@
         <translation>kein TReX-Paket: {0}</translation></message>
     <message><source>“{0}” is not a sequence of hexadecimal bytes such as 86 1F.</source>
         <translation>„{0}“ ist keine Folge hexadezimaler Bytes wie 86 1F.</translation></message>
-    <message><source>No board is served to this user at {0}:{1}. Check that `trexcmd serve` runs there. Also check the user in the address (trex://USER@…) and the secret (TREX_SECRET).</source>
+    <message><source>No board is served to this user at {0}:{1}. Check that `trexcmd serve` is running there. Also check the user in the address (trex://USER@…) and the secret (TREX_SECRET).</source>
         <translation>Bei {0}:{1} wird kein Board bereitgestellt, oder nicht für diesen Benutzer. Prüfen Sie, ob dort trexcmd serve läuft, den Benutzer in der Adresse (trex://USER@…) und sein Geheimnis (TREX_SECRET).</translation></message>
     <message><source>The server cannot listen at {0}: {1}</source>
         <translation>An {0} kann nicht gelauscht werden: {1}</translation></message>
@@ -2407,7 +2407,7 @@
         <translation>Eine andere Sicherungskopie heißt schon {0}.</translation></message>
     <message><source>is missing</source>
         <translation>fehlt</translation></message>
-    <message><source>a history must keep at least one snapshot, not {0}</source>
+    <message><source>the limit must be 1 to 9999999 snapshots, not {0}</source>
         <translation>ein Verlauf behält mindestens eine Sicherungskopie, nicht {0}</translation></message>
     <message><source>At most {0} characters are allowed.</source>
         <translation>Höchstens {0} Zeichen sind möglich.</translation></message>
@@ -3029,15 +3029,15 @@
         <translation>Prüfen Sie die Stromversorgung und ihre Leitungen. Wenn nur eine blaue LED leuchtet, hat das Board keine Firmware.</translation></message>
     <message><source>Red on</source>
         <translation>Rot an</translation></message>
-    <message><source>Running, serial commands control the motors</source>
+    <message><source>Running: serial commands control the motors</source>
         <translation>In Betrieb, serielle Befehle steuern die Motoren</translation></message>
     <message><source>Compare the wires with the picture, then search with “Find”. The green LED lights while the board receives a command. If it never lights, nothing arrives.</source>
         <translation>Vergleichen Sie die Verdrahtung mit dem Bild, dann suchen Sie mit „Suchen“. Grün leuchtet, während das Board einen Befehl empfängt: Leuchtet es nie, kommt nichts an.</translation></message>
     <message><source>Green on, or flashing fast</source>
         <translation>Grün an oder schnell blinkend</translation></message>
-    <message><source>Running, the channels control the motors</source>
+    <message><source>Running: the channels control the motors</source>
         <translation>In Betrieb, die Kanäle steuern die Motoren</translation></message>
-    <message><source>Proceed as above: the board also responds in RC and analog mode. The red LED lights while the board receives a command. Fast flashes mean safe-start. Five flashes at the start show which channels are learned.</source>
+    <message><source>Proceed as above: the board also responds in RC and analog mode. The red LED lights while the board receives a command. Fast flashes mean safe-start. Five flashes at power-up show which channels are learned.</source>
         <translation>Wie oben: Das Board antwortet auch im RC- und im Analogmodus. Rot leuchtet, während es einen Befehl empfängt. Schnelles Blinken ist der Safe-Start; fünfmaliges Aufleuchten beim Einschalten zeigt, welche Kanäle eingelernt sind.</translation></message>
     <message><source>Both blink together, or both on</source>
         <translation>Beide blinken gemeinsam oder leuchten</translation></message>
@@ -3047,9 +3047,9 @@
         <translation>Das Board antwortet nicht, während es seine Kanäle einlernt. Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
     <message><source>Red and green alternate</source>
         <translation>Rot und Grün abwechselnd</translation></message>
-    <message><source>Waiting for the boot loader hand-shake</source>
+    <message><source>Waiting for the boot loader handshake</source>
         <translation>Wartet auf den Handshake des Bootloaders</translation></message>
-    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. If its serial settings are lost, continue with the hand-shake instead.</source>
+    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. If its serial settings are lost, continue with the handshake instead.</source>
         <translation>Schalten Sie das Board aus, ziehen Sie Mix- und SO–G-Jumper ab und schalten Sie es ein. Oder machen Sie mit dem Handshake für verlorene serielle Einstellungen weiter.</translation></message>
     <message><source>Green flashes once a second</source>
         <translation>Grün blinkt einmal pro Sekunde</translation></message>
@@ -3549,7 +3549,7 @@ bisher {1}</translation></message>
         <translation>Diesen &amp;Kanal einlernen…</translation></message>
     <message><source>Cop&amp;y and reset</source>
         <translation>Kopieren, &amp;zurücksetzen</translation></message>
-    <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
+    <message><source>No board responds. Your edits are saved for the next board of the same model.</source>
         <translation>Kein Board antwortet. Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
     <message><source>Inputs are read as {0}. In serial mode they are only shown.</source>
         <translation>Die Eingänge werden als {0} gelesen. Im seriellen Modus werden sie nur angezeigt.</translation></message>

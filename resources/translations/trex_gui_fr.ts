@@ -7,7 +7,7 @@
         <translation>{0} peut signifier {1} ou {2} : écrivez celui que vous voulez</translation></message>
     <message><source>{0} is not a number</source>
         <translation>{0} n'est pas un nombre</translation></message>
-    <message><source>empty</source>
+    <message><source>an empty text</source>
         <translation>vide</translation></message>
     <message><source>Internal error while searching {0} ({1}).</source>
         <translation>Erreur interne pendant la recherche sur {0} ({1}).</translation></message>
@@ -1093,7 +1093,7 @@
         <translation>Elle est réglée sur {0} bits d'arrêt ; les deux nombres fonctionnent sur cette liaison.</translation></message>
     <message><source> The port does not support {0} baud, so the scan skipped these settings.</source>
         <translation> Le port n'accepte pas {0} bauds ; ces réglages n'ont donc pas été essayés.</translation></message>
-    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. Only the full scan finds a board with a custom CRC polynomial.</source>
+    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (an RS-232 adapter: to the RS-232 pins), and that ground is connected. Only the full scan finds a board with a custom CRC polynomial.</source>
         <translation>Aucun TReX ne répond sur {0}, quels que soient le débit et la parité, ni avec CRC. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), et que la masse est reliée. Une carte dont le polynôme CRC est personnalisé n'est trouvée que par la recherche complète.</translation></message>
     <message><source>, and data at {0} other settings</source>
         <translation>, et quelque chose à {0} autres réglages</translation></message>
@@ -2101,7 +2101,7 @@
         <translation>taux de freinage</translation></message>
     <message><source>a motor's speed must be -127 to 127, not {0}</source>
         <translation>la vitesse d'un moteur va de -127 à 127, et non {0}</translation></message>
-    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch the board off and on.</source>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (an RS-232 adapter: to the RS-232 pins), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch the board off and on.</source>
         <translation>Aucun TReX ne répond sur {0}. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), que la masse est reliée et que les réglages série de la carte sont bien ceux-ci. Si les deux LED clignotent ensemble, la carte est en mode apprentissage : retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
     <message><source>Everything sent on {0} comes back, and nothing else arrives. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
         <translation>Tout ce qui est envoyé sur {0} revient, et rien d'autre. Soit il s'agit du côté RS-232 d'une carte hors tension ou réglée sur un autre débit, soit TX et RX de l'adaptateur sont reliés entre eux.</translation></message>
@@ -2155,7 +2155,7 @@
         <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
     <message><source>Another board on this line has the device number {0}. Select an unused number.</source>
         <translation>Une autre carte de cette liaison a le numéro d'appareil {0}. Choisissez un numéro libre.</translation></message>
-    <message><source>Board {0} no longer follows: it stopped responding, was stopped or restarted.</source>
+    <message><source>Board {0} no longer follows the group: it stopped responding, was stopped, or restarted.</source>
         <translation>La carte {0} ne suit plus : elle s'est tue, a été arrêtée ou a redémarré.</translation></message>
     <message><source>Board {0} is not one of the boards that are driven together here.</source>
         <translation>La carte {0} n'est pas de celles qui sont conduites ensemble ici.</translation></message>
@@ -2175,9 +2175,9 @@
         <translation>{0} : la carte rejette cette valeur (code 2)</translation></message>
     <message><source>{0}: the board is not in serial mode (code 3); switch it off, remove the mode jumper and switch it on again</source>
         <translation>{0} : la carte n'est pas en mode série (code 3) ; coupez l'alimentation, retirez le cavalier de mode, remettez l'alimentation</translation></message>
-    <message><source>{0} could not be verified: wrote {1}, but the board reads back {2}</source>
+    <message><source>{0} could not be verified: wrote {1}, but read back {2}</source>
         <translation>{0} n'a pas pu être vérifié : valeur écrite {1}, mais la carte renvoie {2} à la relecture</translation></message>
-    <message><source>{0} could not be verified: the board reads back {1}</source>
+    <message><source>{0} could not be verified: read back {1}</source>
         <translation>{0} n'a pas pu être vérifié : la carte renvoie {1} à la relecture</translation></message>
     <message><source>{0} is for {1} inputs, but the board now reads {2} inputs</source>
         <translation>{0} vaut pour les entrées {1}, mais la carte lit maintenant {2}</translation></message>
@@ -2329,7 +2329,7 @@
         <translation>ce n'est pas un paquet TReX : {0}</translation></message>
     <message><source>“{0}” is not a sequence of hexadecimal bytes such as 86 1F.</source>
         <translation>« {0} » n'est pas une suite d'octets hexadécimaux comme 86 1F.</translation></message>
-    <message><source>No board is served to this user at {0}:{1}. Check that `trexcmd serve` runs there. Also check the user in the address (trex://USER@…) and the secret (TREX_SECRET).</source>
+    <message><source>No board is served to this user at {0}:{1}. Check that `trexcmd serve` is running there. Also check the user in the address (trex://USER@…) and the secret (TREX_SECRET).</source>
         <translation>Aucune carte n'est servie à {0}:{1}, ou pas à cet utilisateur. Vérifiez que trexcmd serve y fonctionne, l'utilisateur dans l'adresse (trex://USER@…) et son secret (TREX_SECRET).</translation></message>
     <message><source>The server cannot listen at {0}: {1}</source>
         <translation>Impossible d'écouter à {0} : {1}</translation></message>
@@ -2407,7 +2407,7 @@
         <translation>Un autre instantané s'appelle déjà {0}.</translation></message>
     <message><source>is missing</source>
         <translation>est absent</translation></message>
-    <message><source>a history must keep at least one snapshot, not {0}</source>
+    <message><source>the limit must be 1 to 9999999 snapshots, not {0}</source>
         <translation>un historique conserve au moins un instantané, et non {0}</translation></message>
     <message><source>At most {0} characters are allowed.</source>
         <translation>{0} caractères au plus sont possibles.</translation></message>
@@ -3029,15 +3029,15 @@
         <translation>Vérifiez l'alimentation et ses fils. Si seule une LED bleue est allumée, la carte n'a pas de firmware.</translation></message>
     <message><source>Red on</source>
         <translation>Rouge allumée</translation></message>
-    <message><source>Running, serial commands control the motors</source>
+    <message><source>Running: serial commands control the motors</source>
         <translation>En marche, les commandes série commandent les moteurs</translation></message>
     <message><source>Compare the wires with the picture, then search with “Find”. The green LED lights while the board receives a command. If it never lights, nothing arrives.</source>
         <translation>Comparez le câblage avec l'image, puis lancez « Rechercher… ». La LED verte s'allume pendant que la carte reçoit une commande : si elle ne s'allume jamais, rien n'arrive.</translation></message>
     <message><source>Green on, or flashing fast</source>
         <translation>Verte allumée, ou clignotant vite</translation></message>
-    <message><source>Running, the channels control the motors</source>
+    <message><source>Running: the channels control the motors</source>
         <translation>En marche, les voies commandent les moteurs</translation></message>
-    <message><source>Proceed as above: the board also responds in RC and analog mode. The red LED lights while the board receives a command. Fast flashes mean safe-start. Five flashes at the start show which channels are learned.</source>
+    <message><source>Proceed as above: the board also responds in RC and analog mode. The red LED lights while the board receives a command. Fast flashes mean safe-start. Five flashes at power-up show which channels are learned.</source>
         <translation>Comme ci-dessus : la carte répond aussi en mode RC et en mode analogique. La LED rouge s'allume pendant qu'elle reçoit une commande. Un clignotement rapide signale le démarrage sécurisé ; cinq éclats à la mise sous tension indiquent les voies apprises.</translation></message>
     <message><source>Both blink together, or both on</source>
         <translation>Les deux clignotent ensemble ou sont allumées</translation></message>
@@ -3047,9 +3047,9 @@
         <translation>La carte ne répond pas pendant qu'elle apprend ses voies. Retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
     <message><source>Red and green alternate</source>
         <translation>Rouge et verte en alternance</translation></message>
-    <message><source>Waiting for the boot loader hand-shake</source>
+    <message><source>Waiting for the boot loader handshake</source>
         <translation>Attente de la prise de contact du chargeur d'amorçage</translation></message>
-    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. If its serial settings are lost, continue with the hand-shake instead.</source>
+    <message><source>Switch the board off, remove the mix and SO–G jumpers, and switch it on. If its serial settings are lost, continue with the handshake instead.</source>
         <translation>Coupez l'alimentation de la carte, retirez les cavaliers Mix et SO–G, et remettez l'alimentation. Ou poursuivez la prise de contact en cas de réglages série perdus.</translation></message>
     <message><source>Green flashes once a second</source>
         <translation>La verte clignote une fois par seconde</translation></message>
@@ -3549,7 +3549,7 @@ avant {1}</translation></message>
         <translation>Apprendre cette &amp;voie…</translation></message>
     <message><source>Cop&amp;y and reset</source>
         <translation>&amp;Copier, réinitialiser</translation></message>
-    <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
+    <message><source>No board responds. Your edits are saved for the next board of the same model.</source>
         <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à ce qu'une carte du même type soit connectée.</translation></message>
     <message><source>Inputs are read as {0}. In serial mode they are only shown.</source>
         <translation>Les entrées sont lues comme {0}. En mode série, elles sont seulement affichées.</translation></message>

@@ -179,7 +179,7 @@ def test_board_decides_on_values_beyond_inferred_limits(
     review.close()
     simulator.do("accept ignored_channels 127 31")
     write_anyway()
-    assert "reads back channels 1, 2, 3, 4, 5" in review.rows()[0][-1]
+    assert "read back channels 1, 2, 3, 4, 5" in review.rows()[0][-1]
     assert device.parameters.values.stored.get(key) == 31
     review.close()
     edit(window, ignored_channels=0)

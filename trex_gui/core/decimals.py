@@ -30,7 +30,7 @@ def decimal(text: str, *, thousands: bool = True) -> float:
     number = text.strip()
     value = float(number.replace(",", ".")) if re.fullmatch(DECIMAL, number) else math.inf
     if not math.isfinite(value):
-        raise BadRequest(tr("{0} is not a number").format(number or tr("empty")))
+        raise BadRequest(tr("{0} is not a number").format(number or tr("an empty text")))
     if thousands and (parts := _GROUPED.fullmatch(number)):
         whole, rest = parts.groups()
         fraction = with_decimal_point(f"{float(f'{whole}.{rest}'):g}")

@@ -5,7 +5,7 @@ from enum import StrEnum
 
 
 class EventKind(StrEnum):
-    """Kind of an event. Files contain the value."""
+    """Kind of an event. Recordings contain the value, so it must not change."""
 
     APPLY = "apply"
     STOP = "stop"

@@ -1,4 +1,4 @@
-"""Serial port over TCP (RFC 2217), with the host's parity."""
+"""Serial port over TCP (RFC 2217), which receives the host's parity setting."""
 
 import struct
 from collections.abc import Container, Iterable

@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.errors import (
     ErrorCode,
     TrexBadReplyError,
     TrexNoReplyError,
-    is_unsteady,
+    readings_differ,
 )
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -31,7 +31,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 def explain(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
     """Return the error to report after a query failed with `error`."""
     line_text = settings.text()
-    if is_unsteady(error):
+    if readings_differ(error):
         return error
     if isinstance(error, BadReply):
         return TrexBadReplyError(ErrorCode.OTHER_DEVICE, line_text, error)
@@ -60,7 +60,7 @@ def diagnose(
     settings, wire = client.settings, client.transport
     explanation = explain(settings, echo=client.echo, error=error)
     can_probe = not settings.reserved and isinstance(error, NoReply | BadReply)
-    if is_unsteady(error) or not can_probe:
+    if readings_differ(error) or not can_probe:
         return explanation
     client.drain()
     prober = TrexProber(settings, plans=_plans(settings, quick=quick))

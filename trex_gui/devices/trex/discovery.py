@@ -293,8 +293,8 @@ class TrexProber:
         return Evidence.SILENCE, tr(
             "No TReX responds on {0} at any baud rate, with any parity or with CRC. Check "
             "that the board has power (an LED is lit), that the adapter's TX goes to SI and "
-            "its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. "
-            "Only the full scan finds a board with a custom CRC polynomial."
+            "its RX to SO (an RS-232 adapter: to the RS-232 pins), and that ground is "
+            "connected. Only the full scan finds a board with a custom CRC polynomial."
         ).format(url)
 
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:

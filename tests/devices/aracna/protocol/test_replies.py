@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.protocol.replies import (
     Speeds,
     Unrecognized,
     Version,
-    read_line,
+    parse_reply,
 )
 
 NUMBERS = st.lists(st.integers(-1, 1023), min_size=1, max_size=9).map(tuple)
@@ -83,7 +83,7 @@ def test_invalid_line_is_unrecognized() -> None:
         *(b".l", b".l2", b".h1", b"..h ", b"TReX", b"\x80.q1,8"),
         *(b".c100000", b".c512,1024", b".c99999", b".v1024,0", b".q1,12", b".q1,999"),
     ):
-        assert read_line(line) == Unrecognized(line)
+        assert parse_reply(line) == Unrecognized(line)
 
 
 @pytest.mark.parametrize("tail", [b"h\r\n", b"\r\n", b"\n", b",8\r\n", b"12,-1,5\r\n", b"\xff\n"])

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.client.client import Requester, TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything, read_reliably
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, GetParameter, ReplyT_co
-from trex_gui.devices.trex.protocol.errors import is_unsteady
+from trex_gui.devices.trex.protocol.errors import readings_differ
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -105,7 +105,7 @@ def test_readings_that_never_agree_are_an_error(harness: SessionHarness) -> None
     request = fake_requester(harness, GetParameter, [5, 9, 5, 9, 9])
     with pytest.raises(BadReply, match="replies to 9F 07 differ each time") as caught:
         read_reliably(request, _GET_TIMEOUT)
-    assert is_unsteady(caught.value)
+    assert readings_differ(caught.value)
 
 
 def test_one_reading_suffices_with_crc() -> None:

@@ -192,7 +192,7 @@ def test_wrong_read_back_of_value_is_reported_and_stored(harness: SessionHarness
 
     (result,) = write_all(overwrite, SPECS, [(TIMEOUT.key, 15)], on_stored=stored.append)
     assert isinstance(result.error, BadReply)
-    assert re.search(r"could not be verified: wrote 1\.5 s.*reads back 0\.7 s", str(result.error))
+    assert re.search(r"could not be verified: wrote 1\.5 s.*read back 0\.7 s", str(result.error))
     assert stored == [WriteResult(TIMEOUT.key, 7)]
 
 

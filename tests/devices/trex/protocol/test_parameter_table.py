@@ -329,7 +329,7 @@ def test_invalid_text_is_rejected_with_limits(key: str, text: str, limits: str) 
     with pytest.raises(BadRequest, match=re.escape(limits)) as caught:
         parameter(key).wire(text)
     assert str(caught.value).startswith(parameter(key).name)
-    assert str(caught.value).endswith(f"not {text or 'empty'}")
+    assert str(caught.value).endswith(f"not {text or 'an empty text'}")
     assert "127 to 127" not in str(caught.value), "a single value is no range"
 
 

@@ -143,7 +143,7 @@ def test_history_without_limit_removes_nothing(history: SettingsHistory) -> None
 
 
 def test_limit_of_zero_is_rejected(history: SettingsHistory) -> None:
-    with pytest.raises(ValueError, match="at least one"):
+    with pytest.raises(ValueError, match="1 to 9999999"):
         history.set_limit(0)
     assert history.limit() == Limit(DEFAULT_LIMIT)
 

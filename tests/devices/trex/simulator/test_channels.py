@@ -83,7 +83,7 @@ def test_voltage_is_averaged_over_last_20_ms(analog: Channels) -> None:
 
 def test_disconnect_sets_every_channel_to_rest(rc: Channels) -> None:
     rc.signals[3] = Signal.parse("1200us noise 2us", RC)
-    rc.disconnect()
+    rc.reset_signals()
     assert [rc.signals[channel].text for channel in CHANNELS] == ["rest"] * 5
 
 

@@ -35,7 +35,7 @@ the left.
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Lowest and highest position of a joint, 0-1023. Raises BadRequest if out of order."""
+    """Lowest and highest position of a joint, 0-1023. Raises BadRequest if invalid."""
 
     low: int = 0
     high: int = HIGHEST

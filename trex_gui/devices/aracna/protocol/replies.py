@@ -56,7 +56,7 @@ class Unrecognized:
 
 
 Reply = Hello | Version | Speeds | Positions | Led | Unrecognized
-ANSWERS: dict[str, type[Reply]] = {  # letter of a command → class of its reply
+REPLY_TYPES: dict[str, type[Reply]] = {  # letter of a command → class of its reply
     "q": Version,
     "v": Speeds,
     "c": Positions,
@@ -71,7 +71,7 @@ _LED = re.compile(rb"\.l([01])")
 _PARTIAL = re.compile(rb"\.c((?:(?:%b),)*)(?:-|%b)?\r?" % (_NUMBER, _NUMBER))
 
 
-def read_line(line: bytes) -> Reply:
+def parse_reply(line: bytes) -> Reply:
     if line == b".h":
         return Hello()
     if match := _QUERY.fullmatch(line):
@@ -89,11 +89,11 @@ def read_line(line: bytes) -> Reply:
     return Unrecognized(line)
 
 
-def read_lines(line: bytes) -> list[Reply]:
+def parse_replies(line: bytes) -> list[Reply]:
     """Parse a line, which may be empty or end with the `.h` of a restart."""
     if not line:
         return []
-    reply = read_line(line)
+    reply = parse_reply(line)
     if isinstance(reply, Unrecognized) and line.endswith(b".h"):
         return [Unrecognized(line[:-2]), Hello()]
     return [reply]
@@ -136,7 +136,7 @@ class Reader:
 
     def _parse(self, line: bytes) -> list[Reply]:
         was_first, self._may_be_truncated = self._may_be_truncated, False
-        replies = read_lines(line)
+        replies = parse_replies(line)
         if was_first and len(replies) == 1 and isinstance(replies[0], Unrecognized):
             return [Hello()] if line == b"h" else []
         return replies

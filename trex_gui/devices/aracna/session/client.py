@@ -16,7 +16,7 @@ from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.protocol import commands
 from trex_gui.devices.aracna.protocol.replies import (
-    ANSWERS,
+    REPLY_TYPES,
     Hello,
     Led,
     Positions,
@@ -188,7 +188,7 @@ class AracnaClient:
     def _matches(self, command: SentCommand, reply: Reply) -> bool:
         if isinstance(reply, Speeds | Positions) and len(reply.values) != self.motors:
             return False
-        return isinstance(reply, ANSWERS[command.letter])
+        return isinstance(reply, REPLY_TYPES[command.letter])
 
     def _check_partial_reply(self, now: float) -> list[CommandEvent]:
         arrived = self._reader.arrived

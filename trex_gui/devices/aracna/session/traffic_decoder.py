@@ -3,7 +3,7 @@
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
 from trex_gui.devices.aracna.protocol.replies import (
-    ANSWERS,
+    REPLY_TYPES,
     UNREADABLE,
     Hello,
     Led,
@@ -12,7 +12,7 @@ from trex_gui.devices.aracna.protocol.replies import (
     Speeds,
     Unrecognized,
     Version,
-    read_lines,
+    parse_replies,
 )
 
 _COMMANDS = {
@@ -53,7 +53,7 @@ class AracnaDecoder(Decoder):
 
     def read(self, transaction: Transaction) -> Decoded:
         *lines, rest = transaction.received.split(b"\n")
-        replies = [reply for line in lines for reply in read_lines(line.removesuffix(b"\r"))]
+        replies = [reply for line in lines for reply in parse_replies(line.removesuffix(b"\r"))]
         is_fault = any(map(_is_fault, replies))
         texts = [self._reply(reply) for reply in replies]
         if not transaction.sent:
@@ -97,7 +97,7 @@ class AracnaDecoder(Decoder):
 
 def _answers(reply: Reply, sent: bytes) -> bool:
     """Return True if a reply answers a command or reports a restart."""
-    kind = ANSWERS.get(sent[1:2].decode("latin-1"))
+    kind = REPLY_TYPES.get(sent[1:2].decode("latin-1"))
     return kind is None or isinstance(reply, kind | Hello)
 
 

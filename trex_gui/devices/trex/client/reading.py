@@ -31,7 +31,7 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexBadReplyError,
     TrexError,
     TrexRequestError,
-    is_unsteady,
+    readings_differ,
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.protocol.parameters import (
@@ -305,7 +305,7 @@ def _read_pass(read: Requester, progress: Progress, number: int, passes: int) ->
         try:
             parameters[spec.key] = read_next(spec.name, GetParameter(spec.number))
         except (NoReply, BadReply) as error:
-            if is_unsteady(error):
+            if readings_differ(error):
                 raise
             # This query raises if the board is gone. Otherwise only this parameter is rejected.
             read(GetMode())

@@ -23,10 +23,10 @@ class ErrorCode(Enum):
     # Connecting
     NO_BOARD = tr_noop(
         "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
-        "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
-        "ground is connected, and that the serial settings match those of the board. If both "
-        "LEDs blink together, the board is in learning mode: remove the SO–G jumper, then "
-        "switch the board off and on."
+        "adapter's TX goes to SI and its RX to SO (an RS-232 adapter: to the RS-232 pins), "
+        "that ground is connected, and that the serial settings match those of the board. If "
+        "both LEDs blink together, the board is in learning mode: remove the SO–G jumper, "
+        "then switch the board off and on."
     )
     ECHO_ONLY = tr_noop(
         "Everything sent on {0} comes back, and nothing else arrives. Either this is the "
@@ -118,7 +118,7 @@ class ErrorCode(Enum):
         "Another board on this line has the device number {0}. Select an unused number."
     )
     LEFT_GROUP = tr_noop(
-        "Board {0} no longer follows: it stopped responding, was stopped or restarted."
+        "Board {0} no longer follows the group: it stopped responding, was stopped, or restarted."
     )
     NO_SUCH_BOARD = tr_noop("Board {0} is not one of the boards that are driven together here.")
     OF_BOARD = tr_noop("Board {0}: {1}")
@@ -140,10 +140,8 @@ class ErrorCode(Enum):
         "{0}: the board is not in serial mode (code 3); switch it off, remove the mode "
         "jumper and switch it on again"
     )
-    PARAMETER_MISMATCH = tr_noop(
-        "{0} could not be verified: wrote {1}, but the board reads back {2}"
-    )
-    CALIBRATION_MISMATCH = tr_noop("{0} could not be verified: the board reads back {1}")
+    PARAMETER_MISMATCH = tr_noop("{0} could not be verified: wrote {1}, but read back {2}")
+    CALIBRATION_MISMATCH = tr_noop("{0} could not be verified: read back {1}")
     OTHER_SOURCE = tr_noop("{0} is for {1} inputs, but the board now reads {2} inputs")
     OTHER_BOARD = tr_noop("Another board responds now: {0}. Nothing was written to it.")
     OTHER_BOARD_AFTER_WRITING = tr_noop(
@@ -221,7 +219,7 @@ class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
         self.result = result
 
 
-def is_unsteady(error: BaseException) -> bool:
+def readings_differ(error: BaseException) -> bool:
     """True if repeated readings of a stored value differed."""
     return isinstance(error, TrexError) and error.code is ErrorCode.READINGS_DIFFER
 

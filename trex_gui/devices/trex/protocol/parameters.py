@@ -283,7 +283,7 @@ class ParameterSpec:
         else:
             value = self._wire_of_number(text)
         if value is None or value not in self.valid:
-            shortened = (text if len(text) <= 40 else f"{text[:40]}…") or tr("empty")
+            shortened = (text if len(text) <= 40 else f"{text[:40]}…") or tr("an empty text")
             message = tr("{0} must be {1}, not {2}")
             raise BadRequest(message.format(self.name, self._range_in_words(), shortened))
         return value

@@ -50,9 +50,9 @@ def open_client(address: Address) -> zenoh.Session:
         return zenoh.open(_config(config))
     except zenoh.ZError as error:
         text = tr(
-            "No board is served to this user at {0}:{1}. Check that `trexcmd serve` runs "
-            "there. Also check the user in the address (trex://USER@…) and the secret "
-            "(TREX_SECRET)."
+            "No board is served to this user at {0}:{1}. Check that `trexcmd serve` is "
+            "running there. Also check the user in the address (trex://USER@…) and the "
+            "secret (TREX_SECRET)."
         )
         raise PortUnavailable(text.format(address.host, address.port)) from error
 

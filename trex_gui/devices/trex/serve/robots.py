@@ -41,7 +41,7 @@ class Robots:
         """Return the info of each served board with its `url`, sorted by name.
 
         Raises:
-            StudioError: a host or the secrets file is invalid, or a scan needs more packages.
+            StudioError: a host or the secrets file is invalid, or packages for a scan are missing.
         """
         addresses = _addresses(hosts)
         with ThreadPoolExecutor(_CONNECTION_LIMIT) as pool:

@@ -232,7 +232,7 @@ class SettingsHistory:
         If saving raises a SettingsError, no snapshot is removed.
         """
         if count is not None and not 1 <= count < 10**7:
-            raise ValueError(tr("a history must keep at least one snapshot, not {0}").format(count))
+            raise ValueError(tr("the limit must be 1 to 9999999 snapshots, not {0}").format(count))
         self._create_folder()
         save(self.folder / LIMIT_FILE, _LIMIT_TEXT.format("all" if count is None else count))
         return tuple(old for old in self.excess(count) if _try_to_remove(old.path))

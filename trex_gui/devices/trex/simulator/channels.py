@@ -149,10 +149,10 @@ class Channels:
 
     def __init__(self, source: InputSource, seed: int = 0) -> None:
         self._random = Random(seed)  # noqa: S311 - noise, not secrets
-        self.disconnect()
+        self.reset_signals()
         self.start(source)
 
-    def disconnect(self) -> None:
+    def reset_signals(self) -> None:
         self.signals = dict.fromkeys(CHANNELS, Signal(SignalKind.REST))
 
     def start(self, source: InputSource) -> None:

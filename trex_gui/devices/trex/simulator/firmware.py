@@ -137,7 +137,7 @@ class Board:
         self.eeprom.factory_reset()
         self.mode_jumper, self.mix = self._initial_jumpers
         self.so_ground = False
-        self.channels.disconnect()
+        self.channels.reset_signals()
         self.machine.factory_reset()
         self.power_on()
 

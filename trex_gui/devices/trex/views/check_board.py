@@ -34,7 +34,7 @@ _LED_STATES = (
     (
         ("on", "off"),
         tr_noop("Red on"),
-        tr_noop("Running, serial commands control the motors"),
+        tr_noop("Running: serial commands control the motors"),
         tr_noop(
             "Compare the wires with the picture, then search with “Find”. The green LED "
             "lights while the board receives a command. If it never lights, nothing arrives."
@@ -43,11 +43,11 @@ _LED_STATES = (
     (
         ("off", "on"),
         tr_noop("Green on, or flashing fast"),
-        tr_noop("Running, the channels control the motors"),
+        tr_noop("Running: the channels control the motors"),
         tr_noop(
             "Proceed as above: the board also responds in RC and analog mode. The red LED "
             "lights while the board receives a command. Fast flashes mean safe-start. Five "
-            "flashes at the start show which channels are learned."
+            "flashes at power-up show which channels are learned."
         ),
     ),
     (
@@ -62,10 +62,10 @@ _LED_STATES = (
     (
         ("alternate 1/s", "alternate 1/s"),
         tr_noop("Red and green alternate"),
-        tr_noop("Waiting for the boot loader hand-shake"),
+        tr_noop("Waiting for the boot loader handshake"),
         tr_noop(
             "Switch the board off, remove the mix and SO–G jumpers, and switch it on. If its "
-            "serial settings are lost, continue with the hand-shake instead."
+            "serial settings are lost, continue with the handshake instead."
         ),
     ),
     (
@@ -99,7 +99,7 @@ class LedsPage(Page):
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """Step of the boot loader hand-shake, and the state of the board after this step."""
+    """Step of the boot loader handshake, and the state of the board after this step."""
 
     title: str
     instruction: str
@@ -160,7 +160,7 @@ _STEPS = (
 """Ref: forum threads 1769 and 4631. The restored settings are inferred."""
 
 
-class HandShakePage(Page):
+class HandshakePage(Page):
     def __init__(self) -> None:
         super().__init__("handShakePage", tr("Jumpers and LEDs"))
         self._picture = JumperPicture(self)
@@ -195,7 +195,7 @@ class CheckBoardFlow(Flow):
         super().__init__()
         self._device = device
         self._index = 0
-        self._pages = LedsPage(), HandShakePage()
+        self._pages = LedsPage(), HandshakePage()
         self._result = "", False
         device.link_changed.connect(self._on_link_changed)
         device.request_failed.connect(self._on_failed)

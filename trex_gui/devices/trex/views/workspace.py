@@ -357,7 +357,7 @@ class TrexWorkspace(Workspace):
         return self._close_prompt.may_close(leave)
 
     def prepare_to_close(self) -> None:
-        # An undo stack also emits signals while it is destroyed.
+        # An undo stack also emits signals while it is being destroyed.
         QObject.disconnect(self._undo_connection)
         if not self._close_prompt.keeps_edits:
             self._device.edit_backup.discard()

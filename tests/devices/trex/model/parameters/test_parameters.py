@@ -189,8 +189,8 @@ def test_parameters_waiting_for_a_power_cycle_are_named(model: ParameterModel) -
     assert not model.values.waiting_for_power
     model.record_stored({"motor_mode": 1, "serial_timeout": 9})
     assert model.values.waiting_for_power == ("Motor Mode",)
-    assert data(model, "motor_mode", ParameterRole.WAITING) is not None
-    assert data(model, "serial_timeout", ParameterRole.WAITING) is None
+    assert data(model, "motor_mode", ParameterRole.ACTIVE) is not None
+    assert data(model, "serial_timeout", ParameterRole.ACTIVE) is None
 
 
 # --- Another board ----------------------------------------------------------------------

@@ -45,14 +45,14 @@ _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
 class ParameterRole(IntEnum):
     """Data of a cell besides its text. A heading has GROUP only.
 
-    WAITING is the wire value that stays active until a power cycle, or `None`. RESET is a text
-    about a reset to the default. It is `None` for a value at its default. The name cell of a row
+    ACTIVE is the wire value that stays active until a power cycle, or `None`. RESET is the text of
+    the command that resets the value, or `None` for a value at its default. The name cell of a row
     returns the data of the row's first value.
     """
 
     KEY = Qt.ItemDataRole.UserRole
     DIRTY = Qt.ItemDataRole.UserRole + 1
-    WAITING = Qt.ItemDataRole.UserRole + 2
+    ACTIVE = Qt.ItemDataRole.UserRole + 2
     PROBLEM = Qt.ItemDataRole.UserRole + 3
     GROUP = Qt.ItemDataRole.UserRole + 4
     RESET = Qt.ItemDataRole.UserRole + 5
@@ -113,7 +113,7 @@ class ParameterModel(QAbstractTableModel):
             ParameterRole.DIRTY: lambda key: any(
                 map(self.values.is_modified, self.text.keys_of(key))
             ),
-            ParameterRole.WAITING: lambda key: self.values.active.get(key),  # noqa: PLW0108
+            ParameterRole.ACTIVE: lambda key: self.values.active.get(key),  # noqa: PLW0108
             ParameterRole.PROBLEM: self._problem,
             ParameterRole.RESET: self._reset_text,
         }
@@ -219,8 +219,8 @@ class ParameterModel(QAbstractTableModel):
     def is_editable(self, key: str) -> bool:
         return all(self.values.can_edit(cell_key) for cell_key in self.text.keys_of(key))
 
-    def open_key(self, key: str) -> str | None:
-        """Return the key of a value that may exceed its limits, or `None`."""
+    def key_with_open_values(self, key: str) -> str | None:
+        """Return the first parameter of a row that accepts values outside its limits, or `None`."""
         specs = (self.values.specs[cell_key] for cell_key in self.text.keys_of(key))
         keys = (spec.key for spec in specs if spec.has_open_values)
         return next(keys, None) if self.is_editable(key) else None

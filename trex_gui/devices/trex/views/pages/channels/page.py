@@ -179,7 +179,7 @@ class ChannelsPage(PlotPage):
             if device.calibrations.stored(1) is None:
                 return tr("Connect to a board to see and change its calibrations.")
             return tr(
-                "No board responds. Edits are kept until a board of the same kind is connected."
+                "No board responds. Your edits are saved for the next board of the same model."
             )
         source = tr(channel_text.SOURCE_NAMES[state.source])
         text = tr("Inputs are read as {0}. They control the motors.")

@@ -127,7 +127,7 @@ class ParameterCard(ui.Card):
         self.activate.setVisible(key in values.active)
         self.activate.setEnabled(self._can_edit)
         self._details.setVisible(is_open)
-        self._wire.setVisible(is_open and self._model.open_key(key) is not None)
+        self._wire.setVisible(is_open and self._model.key_with_open_values(key) is not None)
         self._wire.setEnabled(self._can_edit)
         is_edited = any(map(values.is_modified, keys))
         set_text_color(self._value, "dirty" if is_edited else "window_text")
@@ -156,7 +156,7 @@ class ParameterCard(ui.Card):
 
     @Slot()
     def _on_try(self) -> None:
-        key = self._model.open_key(self._view.current_key)
+        key = self._model.key_with_open_values(self._view.current_key)
         try:
             if key is not None:
                 self._model.edit(key, self._wire_value.value(), forced=True)

@@ -387,7 +387,7 @@ class ParameterDelegate(UnitDelegate):
             return "warning"
         if index.data(ParameterRole.DIRTY):
             return "edited"
-        return "power" if index.data(ParameterRole.WAITING) is not None else ""
+        return "power" if index.data(ParameterRole.ACTIVE) is not None else ""
 
 
 def _set_text_color(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:

@@ -169,7 +169,7 @@ class ParametersPage(QWidget):
             return tr("Connect to a board to see its parameters.")
         if not connected:
             return tr(
-                "No board responds. Edits are kept until a board of the same kind is connected."
+                "No board responds. Your edits are saved for the next board of the same model."
             )
         if blocker := self._device.writer.blocker:
             return blocker

@@ -252,7 +252,7 @@ class ParameterView(QTableView):
             return
         can_edit = self.isEnabled()
         self._edit.setEnabled(can_edit and model.is_editable(key))
-        self._try.setVisible(model.open_key(key) is not None)
+        self._try.setVisible(model.key_with_open_values(key) is not None)
         self._try.setEnabled(can_edit)
         self._reset.setText(model.text.reset(key))
         data = self.currentIndex().data
