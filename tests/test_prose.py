@@ -45,6 +45,30 @@ def test_docstrings_and_names_follow_the_rules(folder: str) -> None:
     assert found == []
 
 
+def misplaced(path: Path) -> Iterator[str]:
+    """Yield signals and short constants that are not described by a comment behind the value."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    for node in ast.walk(ast.parse("\n".join(lines))):
+        body = node.body if isinstance(node, ast.Module | ast.ClassDef) else []
+        for value, below in zip(body, [*body[1:], None], strict=False):
+            if not isinstance(value, ast.Assign):
+                continue
+            line = lines[value.lineno - 1]
+            text = ""
+            if isinstance(below, ast.Expr) and isinstance(below.value, ast.Constant):
+                text = str(below.value.value)
+            fits = value.lineno == value.end_lineno and len(f"{line}  # {text}") <= 100
+            is_signal = re.search(r"= Signal\(", line)
+            above = lines[value.lineno - 2].strip() if is_signal and value.lineno > 1 else ""
+            if above.startswith("#") or (text and "\n" not in text and (is_signal or fits)):
+                yield f"{path.relative_to(ROOT)}:{value.lineno}"
+
+
+def test_signals_and_constants_are_described_behind_the_value() -> None:
+    paths = sorted((ROOT / "trex_gui").rglob("*.py"))
+    assert [place for path in paths for place in misplaced(path)] == []
+
+
 @pytest.mark.parametrize(
     ("docstring", "sentence"),
     [

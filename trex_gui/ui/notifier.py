@@ -71,9 +71,8 @@ class Notifier(QObject):
     danger = Signal(str)  # message about an immediate danger and its remedy
     remedies_offered = Signal(object)  # the `Remedies` for the latest message
     resolved = Signal(object)  # an obsolete `Remedy`; clears messages that offer it
-    # Emitted after the current event, since the event's handler may clear the banner.
-    delayed_info = Signal(str)
-    delayed_error = Signal(str)
+    delayed_info = Signal(str)  # like `info`, after the current event, which may clear the banner
+    delayed_error = Signal(str)  # like `error`, after the current event
     delayed_report = Signal(str, object)  # arguments of `report`
     cleared = Signal()
     shown_changed = Signal()

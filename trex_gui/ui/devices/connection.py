@@ -36,9 +36,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     """
 
     changed = Signal()  # `link` or `status` has changed
-    # `Closed`, or `None` if the session does not end in time when the program exits. The data of
-    # the device is no longer valid.
-    line_closed = Signal(object)
+    line_closed = Signal(object)  # `Closed`; `None` if the session outlives the program
     interfered = Signal(str, object)  # sentence about another user of the port, `Remedies`
     failed = Signal(object)  # the `StudioError` that closed the line
 

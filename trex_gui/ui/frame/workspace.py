@@ -52,8 +52,7 @@ class Menu(Enum):
     HELP = auto()
 
 
-Menus = Mapping[Menu | str, Entries]
-"""Menu (or title of an extra menu) → entries of a workspace."""
+Menus = Mapping[Menu | str, Entries]  # menu (or title of an extra menu) → entries of a workspace
 
 
 @dataclass(frozen=True, slots=True)

@@ -73,8 +73,7 @@ def paint_jumper(painter: QPainter, rect: QRectF, is_on: bool | None) -> None:
         painter.drawEllipse(pin, 3.5, 3.5)
 
 
-Jumper = tuple[str, bool | None]
-"""Text of a jumper, and its state: on, off or unknown (`None`)."""
+Jumper = tuple[str, bool | None]  # text of a jumper, and its state: on, off or unknown (`None`)
 
 
 def jumpers_size(font: QFont, jumpers: Sequence[Jumper]) -> QSizeF:

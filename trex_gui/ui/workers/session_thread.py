@@ -56,9 +56,7 @@ class LineWorker(WorkerThread):
 class SessionThread(QObject):
     started = Signal()
     reported = Signal(object)  # a report other than `Outcome` and `Closed`
-    # `Closed`. Emitted once the port is closed, except for a session that ends within `shut_down`.
-    # After an internal error, `may_move` is true if any motor was driven.
-    closed = Signal(object)
+    closed = Signal(object)  # `Closed`, once the port is closed; not for an end in `shut_down`
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -193,6 +191,7 @@ class SessionThread(QObject):
         self._writes.clear()
 
     def _fault(self) -> Closed:
+        """Return the report of an internal error. Motors may move if any motor was driven."""
         error = InternalError(tr("Internal error: the connection was closed."))
         return Closed(error, self._may_move)
 

@@ -57,8 +57,7 @@ _MAX_NAMED = 3  # maximum number of written settings that an event names
 
 
 class Device(QObject):
-    # `link`, `status`, `settings`, `may_move`, or the state of `writer`
-    link_changed = Signal()
+    link_changed = Signal()  # `link`, `status`, `settings`, `may_move`, or the state of `writer`
     quality_changed = Signal()  # line quality was measured (every 2 s)
     state_changed = Signal()  # `state` was read or cleared
     request_failed = Signal(str)  # reason for the user; also sent to the notifier

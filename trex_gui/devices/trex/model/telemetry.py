@@ -85,8 +85,7 @@ class Telemetry(QObject):
     """
 
     updated = Signal()  # new samples, at most once per display frame
-    # Like `updated`, but only while a window is visible. Also emitted when a window becomes visible
-    frame_due = Signal()
+    frame_due = Signal()  # like `updated`, but only for visible windows, and once when one is shown
     text_due = Signal()  # like `frame_due`, but for text: at most once per `TEXT_INTERVAL`
 
     def __init__(

@@ -26,8 +26,7 @@ _SOURCE = ParameterKey.CHANNEL_INPUT_SOURCE
 class CalibrationFields(QWidget):
     """Four fields in µs, V or counts. Arrow keys change a value by one count."""
 
-    # valid `Calibration`, and the key of its undo step (`None` for a separate step)
-    edited = Signal(object, object)
+    edited = Signal(object, object)  # valid `Calibration`; key of its undo step, or `None`
     rejected = Signal(str)  # reason why a value is invalid, for the user
 
     def __init__(self, parent: QWidget | None = None) -> None:
