@@ -4,8 +4,8 @@ The port is opened only once, because some adapters reset their board whenever t
 The settings of a device found earlier are probed first. Then these steps run until a device is
 found:
 
-1. Listen for 0.3 s at the baud rate at which boards send their start-up message. This is harmless,
-   and a scan would wait that long anyway.
+1. Listen for 0.3 s at the baud rate at which boards send their start-up message. Listening is
+   harmless, and the scan would wait for this time anyway.
 2. Send the likely probes of each kind in the given order, with the most common kind first. Most
    boards respond within two seconds, and no kind waits for the long scan of another kind.
 3. Send the other probes of each kind. They take half a minute, and few boards need them.

@@ -90,7 +90,7 @@ class DeviceScanner(QObject):
         self._timeouts = timeouts or Timeouts()
         self._simulators: dict[str, Simulator] = {}
         self.logs: list[TrafficLog] = []  # each log records every byte of the scans
-        self.line = ("", "")  # kind of device and packed settings of the next connection
+        self.next_connection = ("", "")  # kind of device and packed settings of the next connection
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
         self.findings: tuple[ScanFinding, ...] = ()  # in the order of the ports
@@ -185,9 +185,9 @@ class DeviceScanner(QObject):
             return partial(scan, settings, probers)
         settings = PortSettings(port.url, timeouts=self._timeouts)
         first, packed = port.device, port.settings
-        is_other = self._only_recall and (first != self.line[0] or SHARED in packed)
-        if SHARED in self.line[1] and not is_other:
-            first, packed = self.line
+        is_other = self._only_recall and (first != self.next_connection[0] or SHARED in packed)
+        if SHARED in self.next_connection[1] and not is_other:
+            first, packed = self.next_connection
         return partial(scan, settings, probers, first=first, packed=packed)
 
     @Slot(int, object)

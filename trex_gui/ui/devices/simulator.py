@@ -163,13 +163,13 @@ class DemoDevice(QObject, Generic[SnapshotT]):
             self._timer.stop()
 
     def set_power(self, on: bool) -> None:
-        self._send(f"power {switch(on)}")
+        self._send(f"power {on_or_off(on)}")
 
     def set_plugged(self, plugged: bool) -> None:
         self._send("line plug" if plugged else "line unplug")
 
     def set_mute(self, mute: bool) -> None:
-        self._send(f"line mute {switch(mute)}")
+        self._send(f"line mute {on_or_off(mute)}")
 
     def set_noise(self, probability: float) -> None:
         """Set the probability that a byte on the line is corrupted."""
@@ -233,7 +233,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._in_flight.clear()
 
 
-def switch(on: bool) -> str:
+def on_or_off(on: bool) -> str:
     return "on" if on else "off"
 
 

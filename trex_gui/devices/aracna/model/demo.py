@@ -7,7 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switch
+from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, on_or_off
 
 
 class FirmwareState(Enum):
@@ -92,7 +92,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         self._send("reset")
 
     def set_servo_power(self, on: bool) -> None:
-        self._send(f"servo power {switch(on)}")
+        self._send(f"servo power {on_or_off(on)}")
 
     def set_dead(self, motor: int, dead: bool) -> None:
         self._send(f"servo {motor} {'dead' if dead else 'alive'}")

@@ -57,7 +57,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.show_searches_in(device.connection.traffic)
         self._store = Preferences()
         self.settings = self._read_settings()
-        scanner.line = plugin.key, self.settings.packed
+        scanner.next_connection = plugin.key, self.settings.packed
         self.demo_board = DemoBoard(self.simulator, self)
         # Port of the last connection attempt. Not updated while its motors may be turning
         self._last_port: Port | None = None
@@ -89,7 +89,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._store.set(_NUMBER, -1 if number is None else number)
         self._store.set(_POLYNOMIAL, settings.polynomial)
         self._store.set(_RESERVED, settings.reserved_text)
-        self._scanner.line = self.plugin.key, settings.packed
+        self._scanner.next_connection = self.plugin.key, settings.packed
         self.settings_changed.emit(self.settings)
         self.changed.emit()
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.translation import tr_noop
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
-from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, switch
+from trex_gui.ui.devices.simulator import DemoDevice, DemoLine, Simulator, on_or_off
 from trex_gui.ui.runtime import new_timer
 
 STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}  # µs, V
@@ -146,10 +146,10 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         self._send(f"jumper mode {mode}")
 
     def set_mix(self, on: bool) -> None:
-        self._send(f"jumper mix {switch(on)}")
+        self._send(f"jumper mix {on_or_off(on)}")
 
     def set_so_ground(self, on: bool) -> None:
-        self._send(f"jumper so-ground {switch(on)}")
+        self._send(f"jumper so-ground {on_or_off(on)}")
 
     def corrupt(self, error: str) -> None:
         """Corrupt the next byte with a `framing`, `parity` or `overrun` error."""
@@ -162,7 +162,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         self._send_newest(f"load {motor}", f"load {motor} {amperes:.1f}")
 
     def set_fault(self, motor: int, fault: bool) -> None:
-        self._send(f"fault {motor} {switch(fault)}")
+        self._send(f"fault {motor} {on_or_off(fault)}")
 
     def hold_stick(self, channel: int, value: float) -> None:
         """Hold a stick at a position in µs or V."""

@@ -50,7 +50,7 @@ class SettingsLinter(QObject):
 
 
 class BoardLinter(SettingsLinter):
-    """Checks a connected board with its line and motors."""
+    """Checks the settings of a connected board, considering its line and its driver."""
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(device.draft, parent)

@@ -26,7 +26,7 @@ _SIGNAL = re.compile(
 class SignalKind(Enum):
     """Kind of a signal. The value is the word in a control line, or the unit."""
 
-    REST = "rest"
+    REST = "rest"  # pulses or voltage of a stick at rest
     PULSES = "us"
     VOLTAGE = "V"
     BAD_PULSES = "invalid"
