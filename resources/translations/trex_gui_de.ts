@@ -4165,7 +4165,7 @@ bisher {1}</translation></message>
         <translation>Nicht verglichen. {0}</translation></message>
     <message><source>An autonomous robot: an on-board computer drives it, and no one is near enough to catch it</source>
         <translation>Ein Roboter ohne Fahrer: Ein Computer an Bord fährt ihn, und niemand kann ihn aufhalten</translation></message>
-    <message><source>A rover driven by radio; a switch hands it over to a computer</source>
+    <message><source>A rover driven by radio; a switch hands control to a computer</source>
         <translation>Ein ferngesteuerter Rover; ein Schalter übergibt ihn an einen Computer</translation></message>
     <message><source>A tank: two tracks, driven by radio with one stick</source>
         <translation>Ein Kettenfahrzeug: zwei Ketten, ferngesteuert mit einem Knüppel</translation></message>

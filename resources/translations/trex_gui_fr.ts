@@ -4165,7 +4165,7 @@ avant {1}</translation></message>
         <translation>Non comparé. {0}</translation></message>
     <message><source>An autonomous robot: an on-board computer drives it, and no one is near enough to catch it</source>
         <translation>Un robot sans pilote : un ordinateur embarqué le conduit, et personne ne peut le rattraper</translation></message>
-    <message><source>A rover driven by radio; a switch hands it over to a computer</source>
+    <message><source>A rover driven by radio; a switch hands control to a computer</source>
         <translation>Un rover radiocommandé ; un interrupteur le confie à un ordinateur</translation></message>
     <message><source>A tank: two tracks, driven by radio with one stick</source>
         <translation>Un engin à deux chenilles, radiocommandé avec un seul manche</translation></message>

@@ -34,7 +34,7 @@ SAMPLES = {  # file name → purpose, as stated in the first comment of the file
         "An autonomous robot: an on-board computer drives it, and no one is near enough to catch it"
     ),
     "rover_with_serial_override": tr_noop(
-        "A rover driven by radio; a switch hands it over to a computer"
+        "A rover driven by radio; a switch hands control to a computer"
     ),
     "tank_with_mix": tr_noop("A tank: two tracks, driven by radio with one stick"),
 }
