@@ -6,6 +6,7 @@ expressions, so a message at `from/alice/…` is from Alice.
 
 import json
 import os
+import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -99,7 +100,7 @@ class ClientLink:
 
     Args:
         address: address of the board.
-        receive: called with each message from the server, in a thread of the engine.
+        receive: called with each message from the server, in a thread of the link.
     """
 
     def __init__(self, address: Address, receive: Callable[[bytes], None]) -> None:
@@ -110,14 +111,18 @@ class ClientLink:
         def name(part: str) -> str:
             return key(address.name, part, user, client)
 
-        self._references = (  # the engine ends subscribers and tokens that have no reference
-            self._session.declare_subscriber(
-                name("to"), lambda sample: receive(bytes(sample.payload))
-            ),
-            self._session.liveliness().declare_token(name("client")),
-        )
+        subscriber = self._session.declare_subscriber(name("to"))
+        # The engine ends a token that has no reference.
+        self._token = self._session.liveliness().declare_token(name("client"))
         self._publisher = declare_publisher(self._session, name("from"))
         self._stops = declare_publisher(self._standby, name("from"))
+
+        def forward_messages() -> None:
+            for sample in subscriber:
+                receive(bytes(sample.payload))
+
+        self._thread = threading.Thread(target=forward_messages, daemon=True)
+        self._thread.start()
 
     def send(self, message: bytes, *, is_stop: bool = False) -> None:
         if is_stop:
@@ -127,6 +132,7 @@ class ClientLink:
     def close(self) -> None:
         for session in (self._standby, self._session):
             session.close()  # type: ignore[no-untyped-call]
+        self._thread.join()  # a thread inside the engine at exit would crash the process
 
 
 def open_server(
