@@ -24,7 +24,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui import Trex, TrexLine
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.core.resource_files import resource
-from trex_gui.core.transport.urls import Address
+from trex_gui.core.transport.urls import LOCAL_USER, Address
 from trex_gui.devices.trex.cli.serve import add_user
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor
 from trex_gui.devices.trex.open_board import MotorsStoppedError
@@ -32,6 +32,7 @@ from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.serve.codec import VERSION, Hello, encode_request
 from trex_gui.devices.trex.serve.network import key, open_client
 from trex_gui.devices.trex.serve.robots import Robots, _row_of
+from trex_gui.devices.trex.serve.served_board import _CLIENT_LIMIT
 from trex_gui.devices.trex.session.messages import AskLease
 
 pytestmark = pytest.mark.realtime
@@ -156,6 +157,15 @@ def test_second_driver_is_rejected_and_may_stop(server: ServerProcess) -> None:
         assert motor(server.simulator) == ("forward", 40)
         second.stop()
         assert motor(server.simulator) == STOPPED
+
+
+def test_earlier_clients_do_not_count_towards_the_limit(server: ServerProcess) -> None:
+    for number in range(_CLIENT_LIMIT + 1):
+        with open_client(server.address) as session:
+            name = key("arm", "client", LOCAL_USER, str(number))
+            _token = session.liveliness().declare_token(name)
+    with Trex(server.url()) as trex:
+        assert trex.status().product == "TReX"
 
 
 _DRIVES = """

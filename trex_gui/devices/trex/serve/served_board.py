@@ -40,7 +40,7 @@ log = logging.getLogger(__name__)
 
 _RETRY_S = 1.0  # seconds between two attempts to open the line
 _OUTBOX_TIMEOUT = 0.5  # seconds to send the last messages to a client
-_CLIENT_LIMIT = 16  # maximum number of clients of a user, including recently lost clients
+_CLIENT_LIMIT = 16  # maximum number of clients of a user
 _EVENT_LIMIT = 1000  # maximum number of events in a batch
 _MESSAGE_LIMIT = 300  # maximum number of messages in a queue, which span about five seconds
 
@@ -240,17 +240,10 @@ class ServedBoard:
         party = self._party(sample.key_expr)
         if party is None:
             return
-        if sample.kind is zenoh.SampleKind.DELETE:
+        if sample.kind == zenoh.SampleKind.DELETE:  # each sample has its own kind object
             self.server.remove(party)
             self._remove(party)
-            return
-        clients = {client for client in self._present if client.user == party.user}
-        if len(clients) >= _CLIENT_LIMIT:  # some may be lost, but not yet reported as lost
-            lost = clients - self.server.parties
-            for client in lost:
-                self._remove(client)
-            clients -= lost
-        if len(clients) < _CLIENT_LIMIT:
+        elif sum(client.user == party.user for client in tuple(self._present)) < _CLIENT_LIMIT:
             self._present.add(party)
         else:
             log.warning("%s has too many clients", party.user)
