@@ -3,6 +3,7 @@
 import ast
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -45,28 +46,53 @@ def test_docstrings_and_names_follow_the_rules(folder: str) -> None:
     assert found == []
 
 
-def misplaced(path: Path) -> Iterator[str]:
-    """Yield signals and short constants that are not described by a comment behind the value."""
-    lines = path.read_text(encoding="utf-8").splitlines()
-    for node in ast.walk(ast.parse("\n".join(lines))):
+def misplaced(source: str) -> list[int]:
+    """Return the lines of signals and short constants that no comment behind the value describes.
+
+    A longer description of a constant may follow as a docstring.
+    """
+    lines, found = source.splitlines(), []
+    for node in ast.walk(ast.parse(source)):
         body = node.body if isinstance(node, ast.Module | ast.ClassDef) else []
-        for value, below in zip(body, [*body[1:], None], strict=False):
+        for value, below in pairwise([*body, ast.Pass()]):
             if not isinstance(value, ast.Assign):
                 continue
-            line = lines[value.lineno - 1]
             text = ""
             if isinstance(below, ast.Expr) and isinstance(below.value, ast.Constant):
                 text = str(below.value.value)
-            fits = value.lineno == value.end_lineno and len(f"{line}  # {text}") <= 100
-            is_signal = re.search(r"= Signal\(", line)
-            above = lines[value.lineno - 2].strip() if is_signal and value.lineno > 1 else ""
-            if above.startswith("#") or (text and "\n" not in text and (is_signal or fits)):
-                yield f"{path.relative_to(ROOT)}:{value.lineno}"
+            line = lines[value.lineno - 1]
+            if re.search(r"= Signal\(", line):
+                above = lines[value.lineno - 2].strip() if value.lineno > 1 else ""
+                is_misplaced = bool(text) or above.startswith("#")
+            else:
+                fits = value.lineno == value.end_lineno and len(f"{line}  # {text}") <= 100
+                is_misplaced = bool(text) and "\n" not in text and fits
+            if is_misplaced:
+                found.append(value.lineno)
+    return found
 
 
 def test_signals_and_constants_are_described_behind_the_value() -> None:
-    paths = sorted((ROOT / "trex_gui").rglob("*.py"))
-    assert [place for path in paths for place in misplaced(path)] == []
+    places = [
+        f"{path.relative_to(ROOT)}:{line}"
+        for path in sorted((ROOT / "trex_gui").rglob("*.py"))
+        for line in misplaced(path.read_text(encoding="utf-8"))
+    ]
+    assert places == []
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        'changed = Signal()\n"""Short."""',
+        'class A:\n    changed = Signal()\n    """One.\n\n    Two.\n    """',
+        "# above\nchanged = Signal()",
+        'LIMIT = 3\n"""Short."""',
+        'class A:\n    LIMIT = 3\n    """Short."""',
+    ],
+)
+def test_description_above_or_below_the_value_is_found(source: str) -> None:
+    assert misplaced(source) != []
 
 
 @pytest.mark.parametrize(
