@@ -1,7 +1,6 @@
 """Simulated devices in virtual time, at ports that the program opens."""
 
 import errno
-import math
 import shutil
 from collections import deque
 from collections.abc import Callable, Collection, Sequence
@@ -79,11 +78,13 @@ class VirtualSimulator(SimulatedDevice):
         """Process all events on the line up to the current time."""
         self.line.advance_to(self.runtime.now() - self._start + _EPSILON)
 
-    @property
-    def next_event(self) -> float:
-        """Runtime's time of the next event on the line."""
-        event = self.line.next_event
-        return math.inf if event is None else self._start + event
+    def run_until_received(self, size: int, end: float) -> float:
+        """Process events on the line until the host has received bytes, at the latest until `end`.
+
+        Return the runtime's time after the last event, or `end` without enough bytes.
+        """
+        is_complete = self.line.run_until_received(size, end - self._start)
+        return self._start + self.line.now if is_complete else end
 
     def open(self, settings: PortSettings) -> Transport:
         """Open the port. See `SerialTransport`."""
@@ -160,7 +161,10 @@ class VirtualTransport:
                 data = bytes(self._received[:size])
                 del self._received[:size]
                 return data
-            moment = min(deadline, self._simulator.next_event, self.clock() + _CHECK_S)
+            end = min(deadline, self.clock() + _CHECK_S)
+            moment = self._simulator.run_until_received(
+                size - len(self._received), min(end, self._runtime.next_event)
+            )
             self._runtime.sleep_until(max(moment, self.clock() + _EPSILON))
 
     def discard(self) -> bytes:

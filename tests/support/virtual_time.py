@@ -133,7 +133,7 @@ class VirtualRuntime(Runtime):
         """Suspend the calling thread until a time."""
         if moment <= self._now:
             return
-        if moment < self._next() and moment <= self._until:
+        if moment < self.next_event and moment <= self._until:
             self._now = moment  # no other event is due before
             return
         if greenlet.getcurrent() is self._main:
@@ -196,7 +196,9 @@ class VirtualRuntime(Runtime):
         if Shiboken.isValid(thread):
             thread.finished.emit()
 
-    def _next(self) -> float:
+    @property
+    def next_event(self) -> float:
+        """Time of the next event, or infinity."""
         while self._events and self._events[0][2].action is None:
             heapq.heappop(self._events)
         return self._events[0][0] if self._events else math.inf
@@ -208,7 +210,7 @@ class VirtualRuntime(Runtime):
         postponed: list[tuple[float, int, Event]] = []
         try:
             while not done():
-                moment = self._next()
+                moment = self.next_event
                 if moment > until or moment == math.inf:
                     if until == math.inf:
                         raise RuntimeError("no event is left that could end the wait")

@@ -230,13 +230,17 @@ class SimulatedLine:
 
     def read(self, size: int, seconds: float) -> bytes:
         end = self.now + seconds
-        while len(self._received) < size and self.timeline.step(end):
-            pass
-        if len(self._received) < size:
+        if not self.run_until_received(size, end):
             self.timeline.move_to(end)
         data = bytes(self._received[:size])
         del self._received[:size]
         return data
+
+    def run_until_received(self, size: int, end: float) -> bool:
+        """Run actions until `end` or until the host can read `size` bytes. Return the latter."""
+        while len(self._received) < size and self.timeline.step(end):
+            pass
+        return len(self._received) >= size
 
     @property
     def backlog(self) -> float:
