@@ -94,6 +94,11 @@ BUILD_REQUIREMENTS = ("hatchling", "editables")
 
 OFFSCREEN = {"QT_QPA_PLATFORM": "offscreen"}
 COMPILE_ONCE = {"PYTHONDONTWRITEBYTECODE": ""}  # the tests start the program dozens of times
+TEST_ENVIRONMENT = {
+    **OFFSCREEN,
+    **COMPILE_ONCE,
+    "OPENBLAS_NUM_THREADS": "1",  # numpy's idle threads spin for a while
+}
 PLATFORMS_WITHOUT_WINDOW = ("offscreen", "minimal")
 
 QT_START = """
@@ -396,8 +401,11 @@ def make_venv(run: Runner) -> None:
 
 
 def pip_commands(pip: Sequence[str], constraints: Path = CONSTRAINTS) -> list[list[str]]:
-    """Return the commands that install the build backend and then, built with it, the project."""
-    install = [*pip, "install", "--constraint", str(constraints)]
+    """Return the commands that install the build backend and then, built with it, the project.
+
+    Python compiles the few modules that are used. To compile all would take longer.
+    """
+    install = [*pip, "install", "--no-compile", "--constraint", str(constraints)]
     return [
         [*install, *BUILD_REQUIREMENTS],
         [*install, "--no-build-isolation", "--editable", f"{ROOT}[gui,gamepad,mcap,remote,test]"],
@@ -600,7 +608,7 @@ def run_check(check: Check) -> CheckResult:
         report = Path(folder) / "report.xml"
         files = (f"--junitxml={report}", f"--basetemp={Path(folder) / 'tests'}")
         to_report = files if check.is_tests else ()
-        environment = {**OFFSCREEN, **COMPILE_ONCE, **check.environment}
+        environment = {**TEST_ENVIRONMENT, **check.environment}
         status = run_in_sight((*check.command, *to_report), environment)
         tests = count_tests(report) if check.is_tests else None
     passed = status == 0 or (check.is_tests and status == NO_TESTS)
@@ -616,7 +624,7 @@ def compile_tests() -> subprocess.Popen[bytes]:
     return subprocess.Popen(
         [venv_program("pytest"), "--collect-only", "-qq"],
         cwd=ROOT,
-        env={**os.environ, **OFFSCREEN, **COMPILE_ONCE},
+        env={**os.environ, **TEST_ENVIRONMENT},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
