@@ -7,12 +7,14 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from dataclasses import replace
 from itertools import count
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import pytest
 import zenoh
@@ -98,6 +100,44 @@ def served(simulator: SimulatedDevice, *options: str) -> Iterator[ServerProcess]
         server.process.stderr.close()
 
 
+class Cable:
+    """Network cable to a port of this computer. It works again after it was cut."""
+
+    def __init__(self, port: int) -> None:
+        self._target = "127.0.0.1", port
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.port: int = self._listener.getsockname()[1]
+        self._sockets: list[socket.socket] = []
+        threading.Thread(target=self._accept).start()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._listener.shutdown(socket.SHUT_RDWR)
+        self._listener.close()
+        self.cut()
+
+    def cut(self) -> None:
+        sockets, self._sockets = self._sockets, []
+        for each in sockets:
+            with suppress(OSError):  # the other end has closed it
+                each.shutdown(socket.SHUT_RDWR)
+
+    def _accept(self) -> None:
+        with suppress(OSError):
+            while True:
+                ends = self._listener.accept()[0], socket.create_connection(self._target)
+                self._sockets += ends
+                for source, target in (ends, ends[::-1]):
+                    threading.Thread(target=self._forward, args=(source, target)).start()
+
+    def _forward(self, source: socket.socket, target: socket.socket) -> None:
+        with suppress(OSError), source, target:
+            while data := source.recv(4096):
+                target.sendall(data)
+
+
 @pytest.fixture
 def server(start_simulator: StartSimulator) -> Iterator[ServerProcess]:
     with served(start_simulator()) as server:
@@ -166,6 +206,24 @@ def test_earlier_clients_do_not_count_towards_the_limit(server: ServerProcess) -
             _token = session.liveliness().declare_token(name)
     with Trex(server.url()) as trex:
         assert trex.status().product == "TReX"
+
+
+def test_client_drives_on_after_a_cut_connection(server: ServerProcess) -> None:
+    with Cable(server.address.port) as cable:
+        address = replace(server.address, port=cable.port)
+        with Trex(address.url) as trex:
+
+            def drives() -> bool:
+                try:
+                    trex.drive(40)
+                    trex.wait(0.3)
+                except (NoReply, MotorsStoppedError):
+                    return False
+                return motor(server.simulator) == ("forward", 40)
+
+            assert drives()
+            cable.cut()
+            assert comes_true(drives)
 
 
 _DRIVES = """

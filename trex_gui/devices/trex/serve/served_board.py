@@ -150,7 +150,7 @@ class ServedBoard:
             self._is_open = True
             join = self._computer.start_thread(session.run)
             while not self._closed.is_set():
-                self._closed.wait(self.server.step())
+                self._closed.wait(self._step())
                 if is_ended() and not self._is_ending:
                     self._is_ending = True
                     self._inbox.put(Close())
@@ -172,7 +172,15 @@ class ServedBoard:
         deadline = self._computer.clock() + _RETRY_S
         while not is_ended() and self._computer.clock() < deadline:
             self._closed.clear()
-            self._closed.wait(self.server.step())
+            self._closed.wait(self._step())
+
+    def _step(self) -> float:
+        """Apply the timeouts and end unused outboxes. Return the seconds until the next step."""
+        seconds, clients = self.server.step(), self.server.parties
+        for party in list(self._outboxes):
+            if party not in clients:
+                self._outboxes.pop(party).put(None)
+        return seconds
 
     # --- The session --------------------------------------------------------------------
 
@@ -241,17 +249,11 @@ class ServedBoard:
         if party is None:
             return
         if sample.kind == zenoh.SampleKind.DELETE:  # each sample has its own kind object
-            self.server.remove(party)
-            self._remove(party)
+            self._present.discard(party)  # the server keeps its client, which may reconnect
         elif sum(client.user == party.user for client in tuple(self._present)) < _CLIENT_LIMIT:
             self._present.add(party)
         else:
             log.warning("%s has too many clients", party.user)
-
-    def _remove(self, party: Party) -> None:
-        self._present.discard(party)
-        if outbox := self._outboxes.pop(party, None):
-            outbox.put(None)
 
     def _send(self, party: Party, message: bytes) -> None:
         outbox = self._outboxes.get(party)

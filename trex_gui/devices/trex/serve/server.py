@@ -204,6 +204,11 @@ class BoardServer:
         return any(client.watched.traffic for client in self._all_clients)
 
     @property
+    def parties(self) -> set[Party]:
+        with self._lock:
+            return set(self._clients)
+
+    @property
     def users(self) -> tuple[str, ...]:
         return tuple(client.party.user for client in self._all_clients)
 
