@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Set the project up in `.venv/`, then show it, check it or measure it.
+"""Set up the project in `.venv/`, then show, check or measure it.
 
     python3 packaging/bootstrap.py setup | demo | test [--all | --lowest] | bench | soak | mutate |
                                     translations | pictures | docs | package [--check] [KIND ...]
 
-Needs nothing but Python's standard library. The syntax stays readable to older Pythons, so that
-they get as far as the sentence about their age.
+Requires only Python's standard library. The syntax stays valid for older versions of Python, so
+that they can print the message about their version.
 """
 
 import argparse
@@ -26,7 +26,7 @@ from xml.etree import ElementTree
 
 OLDEST_PYTHON = (3, 11)
 
-if sys.version_info < OLDEST_PYTHON:  # users may well have an older one
+if sys.version_info < OLDEST_PYTHON:
     sys.exit(
         "TReX Studio needs Python {}.{} or newer, and this is Python {}.{} ({}). "
         "Please run this file with a newer one.".format(
@@ -54,12 +54,11 @@ VIRTUAL = ("-m", "not realtime", "-n", str(CORES), "--dist", "worksteal")
 REALTIME = ("-m", "realtime", "-n", str(CORES + 3), "--dist", "worksteal")
 """Distribution of the tests: virtual-time tests compute, real-time tests also wait."""
 
-NO_TESTS = 5
-"""The status of pytest where none was selected."""
+NO_TESTS = 5  # exit code of pytest if no test was selected
 SCREENSHOTS = ROOT / "demo-screenshots"
 
-# What Qt loads from the system, by the names of Debian 12; later releases still provide these
-# names. The first group is all that offscreen needs, the second opens a window.
+# Libraries that Qt loads from the system, by their names in Debian 12. Later releases still provide
+# these names. The offscreen platform needs only the first group. A window needs both.
 OFFSCREEN_PACKAGES = (
     "libegl1",
     "libgl1",
@@ -67,7 +66,7 @@ OFFSCREEN_PACKAGES = (
     "libdbus-1-3",
     "libfontconfig1",
     "libglib2.0-0",
-    "fonts-dejavu-core",  # without a font all text is boxes
+    "fonts-dejavu-core",  # without a font, Qt draws boxes instead of letters
 )
 WINDOW_PACKAGES = (
     "libxcb-cursor0",
@@ -80,16 +79,16 @@ WINDOW_PACKAGES = (
     "libxcb-xfixes0",
     "libxcb-xkb1",
     "libxkbcommon-x11-0",
-    "libwayland-cursor0",  # all that Wayland needs besides
+    "libwayland-cursor0",  # the only additional library for Wayland
 )
 QT_PACKAGES = OFFSCREEN_PACKAGES + WINDOW_PACKAGES
 
-# Programs that tests want, and the packages that hold them: exported sketches are compiled there,
-# and a message bus says that the screen is locked. Tests of sketches skip without a compiler.
+# Programs that tests use, and their packages. The compiler compiles exported sketches, and the
+# message bus reports that the screen is locked. Tests of sketches are skipped without a compiler.
 TEST_PROGRAMS = {"g++": "g++", "dbus-daemon": "dbus"}
 
-# pip builds the project with these from `.venv/`, where the constraints hold, instead of in an
-# isolated environment, where they do not.
+# pip builds the project with these packages from `.venv/`, because the constraints do not apply to
+# an isolated environment.
 BUILD_REQUIREMENTS = ("hatchling", "editables")
 
 OFFSCREEN = {"QT_QPA_PLATFORM": "offscreen"}
@@ -112,7 +111,7 @@ QT_START_SECONDS = 60
 
 
 class BootstrapError(Exception):
-    """Ends the command; its text is shown to the user."""
+    """Error that ends the command. The user sees its text."""
 
 
 def say(text: str) -> None:
@@ -132,14 +131,14 @@ class Outcome:
     errors: str = ""
 
 
-# Runs a command, with additions to the environment, and keeps what it writes.
+# Runs a command with additional environment variables and captures its output.
 Runner = Callable[[Sequence[str], Mapping[str, str]], Outcome]
 
 
 def run_captured(
     command: Sequence[str], extra_env: Mapping[str, str], timeout: float | None = None
 ) -> Outcome:
-    """Run a command without showing its output; a missing or hanging one has failed."""
+    """Run a command and capture its output. A missing or hanging command has failed."""
     try:
         done = subprocess.run(
             command,
@@ -154,14 +153,14 @@ def run_captured(
     except OSError as error:
         return Outcome(127, errors=str(error))
     except subprocess.TimeoutExpired:
-        return Outcome(124, errors=f"no answer within {timeout:.0f} seconds")
+        return Outcome(124, errors=f"no response within {timeout:.0f} seconds")
     return Outcome(done.returncode, done.stdout, done.stderr)
 
 
-def run_in_sight(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
-    """Run a command from the project's folder on the user's terminal; return its status.
+def run_visibly(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+    """Run a command in the project's folder on the user's terminal. Return its exit code.
 
-    Ctrl-C reaches the command as well, which gets a few seconds to end in its own way.
+    Ctrl-C reaches the command, too. It then has a few seconds to exit.
     """
     with subprocess.Popen(command, cwd=ROOT, env={**os.environ, **extra_env}) as process:
         try:
@@ -174,11 +173,11 @@ def run_in_sight(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
             raise
 
 
-# --- Libraries of the system, where Debian's tools can find and install them --------------------
+# --- System packages on Debian -----------------------------------------------------------------
 
 
 def packages_in(listing: str) -> set[str]:
-    """Return the names that installed packages have or provide.
+    """Return the names of installed packages, and the names that they provide.
 
     Args:
         listing: lines of dpkg-query, `status<TAB>name<TAB>provided (= version), ...`.
@@ -193,64 +192,64 @@ def packages_in(listing: str) -> set[str]:
 
 
 def last_lines(text: str, count: int = 5) -> str:
-    """Return the end of a program's output, which says what went wrong."""
+    """Return the last lines of a program's output, which usually contain the error."""
     return "\n".join(text.strip().splitlines()[-count:])
 
 
 class Debian:
-    """The package tools of Debian and its relatives."""
+    """Package tools of Debian and its derivatives."""
 
     def __init__(self, run: Runner, *, is_root: bool) -> None:
         self._run = run
         self._is_root = is_root
 
     def missing(self, wanted: Iterable[str]) -> list[str]:
-        """Return which of the packages are not installed, under their own or a provided name."""
+        """Return the wanted packages that no installed package provides."""
         listing = "--showformat=${db:Status-Status}\t${Package}\t${Provides}\n"
         outcome = self._run(["dpkg-query", "--show", listing], {})
         installed = packages_in(outcome.output)
         return [name for name in wanted if name not in installed]
 
-    def supply(self, wanted: Iterable[str]) -> None:
-        """Install what is missing if that takes no password, otherwise say what to install."""
+    def install_missing(self, wanted: Iterable[str]) -> None:
+        """Install missing packages, or print the command if that needs a password."""
         missing = self.missing(wanted)
         if not missing:
             return
-        by_hand = f"sudo apt-get install {' '.join(missing)}"
+        by_user = f"sudo apt-get install {' '.join(missing)}"
         prefix = self._privilege()
         if prefix is None:
-            say(f"Some system packages are missing; please install them: {by_hand}")
+            say(f"Some system packages are missing. Install them with: {by_user}")
             return
         say(f"Installing system packages: {' '.join(missing)}")
         apt = [*prefix, "env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "--quiet"]
-        # A list that could not be renewed may still do; the installation shows it.
+        # After a failed update, the installation may still succeed.
         self._run([*apt, "update"], {})
         outcome = self._run([*apt, "install", "--yes", "--no-install-recommends", *missing], {})
         if outcome.status != 0:
             say(last_lines(outcome.errors))
-            say(f"apt-get could not install them; please do so by hand: {by_hand}")
+            say(f"apt-get could not install them. Install them with: {by_user}")
 
     def _privilege(self) -> list[str] | None:
-        """Return the command prefix for apt-get; None if we may not run it."""
+        """Return the command prefix for apt-get, or None without the permission to install."""
         if self._is_root:
             return []
-        sudo = ["sudo", "-n"]  # -n: never ask for a password
+        sudo = ["sudo", "-n"]  # never prompts for a password
         return sudo if self._run([*sudo, "true"], {}).status == 0 else None
 
 
 def find_debian() -> Debian | None:
-    """Return Debian's package tools if this system has them."""
+    """Return the package tools if this system has them."""
     if not (shutil.which("dpkg-query") and shutil.which("apt-get")):
         return None
     return Debian(run_captured, is_root=hasattr(os, "geteuid") and os.geteuid() == 0)
 
 
 def missing_test_programs() -> list[str]:
-    """Return the packages of missing programs."""
+    """Return the packages of missing test programs."""
     return [package for program, package in TEST_PROGRAMS.items() if shutil.which(program) is None]
 
 
-# --- Does Qt start? ----------------------------------------------------------------------------
+# --- Start of Qt -------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -258,9 +257,9 @@ class QtStart:
     """Result of an attempt to start Qt.
 
     Attributes:
-        platform: Qt's name of what it draws on ("xcb", "offscreen"), None if it did not start.
-        fonts: how many font families Qt found.
-        reason: why it did not start, as far as it said so.
+        platform: name of the Qt platform, such as "xcb", or None if Qt did not start.
+        fonts: number of font families.
+        reason: error message, or an empty text.
     """
 
     platform: str | None
@@ -269,12 +268,12 @@ class QtStart:
 
     @property
     def has_window(self) -> bool:
-        """Whether the platform shows windows."""
+        """True if the platform shows windows."""
         return self.platform is not None and self.platform not in PLATFORMS_WITHOUT_WINDOW
 
 
 def read_qt_start(outcome: Outcome) -> QtStart:
-    """Parse the output of the attempt."""
+    """Parse the output of `QT_START`."""
     started = re.search(r"^started (\S+) (\d+)$", outcome.output, re.MULTILINE)
     if outcome.status == 0 and started:
         return QtStart(started[1], int(started[2]))
@@ -282,44 +281,44 @@ def read_qt_start(outcome: Outcome) -> QtStart:
     if library:
         return QtStart(None, reason=f"the system has no {library[1]}")
     if "could not connect to display" in outcome.errors:
-        return QtStart(None, reason="nothing answers on the display")
+        return QtStart(None, reason="the display does not respond")
     return QtStart(None, reason=last_lines(outcome.errors) or f"status {outcome.status}")
 
 
 def start_qt(run: Runner, extra_env: Mapping[str, str]) -> QtStart:
-    """Start Qt for a moment with the interpreter of `.venv/`."""
+    """Start Qt briefly with the interpreter of `.venv/`."""
     return read_qt_start(run([str(venv_python()), "-c", QT_START], extra_env))
 
 
 def require_qt(run: Runner) -> None:
-    """Make sure that Qt starts without a display, which needs all libraries but those of a window.
+    """Check that Qt starts without a display.
 
     Raises:
-        BootstrapError: it does not start; says what is missing.
+        BootstrapError: it does not start. The text names what is missing.
     """
     start = start_qt(run, OFFSCREEN)
     if start.platform is None:
         raise BootstrapError(
             f"Qt does not start: {start.reason}\n"
-            f"On Debian these packages hold what it needs: {' '.join(QT_PACKAGES)}"
+            f"On Debian, these packages contain its libraries: {' '.join(QT_PACKAGES)}"
         )
     if start.fonts == 0:
-        say("Qt found no font and will draw boxes for letters; please install one, such as DejaVu.")
+        say("Qt found no font and will draw boxes. Install a font, such as DejaVu.")
 
 
 # --- The virtual environment -------------------------------------------------------------------
 
-UNFINISHED = ""  # as a stamp's requirements: interrupted, but the environment itself will do
+UNFINISHED = ""  # `requirements` of an environment whose packages are not all installed
 
 
 @dataclass(frozen=True)
 class Stamp:
-    """Everything `.venv/` was made from; it is up to date while this is unchanged.
+    """Everything that determines `.venv/`. With the same stamp, it is up to date.
 
     Attributes:
-        interpreter: version and place of the Python beneath.
-        project: the project's folder, which scripts in `.venv/bin` name in full.
-        requirements: a hash of everything that decides which packages are installed.
+        interpreter: version and folder of the base interpreter.
+        project: folder of the project, because scripts in `.venv/bin` contain this path.
+        requirements: hash of everything that determines the installed packages.
     """
 
     interpreter: str
@@ -327,7 +326,7 @@ class Stamp:
     requirements: str
 
     def can_keep_venv(self, earlier: "Stamp | None") -> bool:
-        """Whether an environment made earlier needs other packages at most."""
+        """Return whether an existing environment needs at most other packages."""
         return (
             earlier is not None
             and earlier.interpreter == self.interpreter
@@ -336,19 +335,19 @@ class Stamp:
 
 
 def current_stamp() -> Stamp:
-    """Return the stamp of an environment made now."""
+    """Return the stamp of an environment that is created now."""
     digest = hashlib.sha256()
     for path in (PROJECT_FILE, CONSTRAINTS, Path(__file__)):
         content = path.read_bytes()
         digest.update(b"%d\n" % len(content))
         digest.update(content)
     version = ".".join(str(part) for part in sys.version_info[:2])
-    # The base: the same whether this runs in the system's Python or in `.venv/` itself.
+    # The base is the same in `.venv/` and in the Python that created it.
     return Stamp(f"{version} {sys.base_prefix}", str(ROOT), digest.hexdigest())
 
 
 def read_stamp(path: Path) -> Stamp | None:
-    """Return the stamp in a file, or None if there is none that can be read."""
+    """Return the stamp in a file, or None if it cannot be read."""
     try:
         return Stamp(**json.loads(path.read_text(encoding="utf-8")))
     except (OSError, ValueError, TypeError):
@@ -356,54 +355,52 @@ def read_stamp(path: Path) -> Stamp | None:
 
 
 def write_stamp(path: Path, stamp: Stamp) -> None:
-    """Record what the environment was made from."""
     path.write_text(json.dumps(asdict(stamp), indent=2) + "\n", encoding="utf-8")
 
 
 def venv_program(name: str) -> Path:
-    """Return where a program of the environment lies on this system."""
+    """Return the path of a program in the environment."""
     if sys.platform == "win32":
         return VENV / "Scripts" / f"{name}.exe"
     return VENV / "bin" / name
 
 
 def venv_python() -> Path:
-    """Return the interpreter of the environment."""
     return venv_program("python")
 
 
 def venv_package() -> str:
-    """Return the Debian package that gives this interpreter the means to make environments."""
+    """Return the Debian package with the module venv of this interpreter."""
     return "python{}.{}-venv".format(*sys.version_info[:2])
 
 
-def can_make_venv(run: Runner) -> bool:
-    """Whether this interpreter brings what `-m venv` needs, which Debian packs separately."""
+def can_create_venv(run: Runner) -> bool:
+    """Return whether this interpreter has venv, which is a separate package on Debian."""
     return run([sys.executable, "-c", "import ensurepip, venv"], {}).status == 0
 
 
-def make_venv(run: Runner) -> None:
-    """Make a new environment in place of any that is there.
+def create_venv(run: Runner) -> None:
+    """Create the environment. An existing environment is replaced.
 
     Raises:
-        BootstrapError: Python could not make one; says why.
+        BootstrapError: Python could not create it.
     """
-    if not can_make_venv(run):
+    if not can_create_venv(run):
         raise BootstrapError(
-            "This Python cannot make virtual environments: it lacks its modules venv and "
-            f"ensurepip. On Debian, please run: sudo apt-get install {venv_package()}"
+            "This Python cannot create virtual environments: it lacks its modules venv and "
+            f"ensurepip. On Debian, run: sudo apt-get install {venv_package()}"
         )
-    say(f"Making {VENV.name}/ with Python {sys.version.split()[0]}.")
+    say(f"Creating {VENV.name}/ with Python {sys.version.split()[0]}.")
     outcome = run([sys.executable, "-m", "venv", "--clear", str(VENV)], {})
     if outcome.status != 0:
-        said = last_lines(outcome.errors or outcome.output)
-        raise BootstrapError(f"Python could not make {VENV}: {said}")
+        reason = last_lines(outcome.errors or outcome.output)
+        raise BootstrapError(f"Python could not create {VENV}: {reason}")
 
 
 def pip_commands(pip: Sequence[str], constraints: Path = CONSTRAINTS) -> list[list[str]]:
-    """Return the commands that install the build backend and then, built with it, the project.
+    """Return the commands that install the build backend, then the project.
 
-    Python compiles the few modules that are used. To compile all would take longer.
+    Python compiles modules on their first import, because only a few are ever imported.
     """
     install = [*pip, "install", "--no-compile", "--constraint", str(constraints)]
     return [
@@ -416,46 +413,43 @@ def install_packages() -> None:
     """Install the project and its test tools into the environment.
 
     Raises:
-        BootstrapError: pip could not.
+        BootstrapError: pip failed.
     """
-    say("Installing the pinned packages; the first time this takes a minute or two.")
+    say("Installing the pinned packages. The first time, this takes a minute or two.")
     pip = [str(venv_python()), "-m", "pip", "--disable-pip-version-check", "--no-input"]
     if not sys.stdout.isatty():
         pip.append("-qq")  # errors only
     for command in pip_commands(pip):
-        # Installing for the user, which may be the default, does not work in an environment.
-        if run_in_sight(command, {"PIP_USER": "0"}) != 0:
-            raise BootstrapError("pip could not install the packages; see its message above.")
+        # In an environment, pip cannot install for the user, which may be the default.
+        if run_visibly(command, {"PIP_USER": "0"}) != 0:
+            raise BootstrapError("pip could not install the packages. See its message above.")
 
 
 def is_set_up(stamp: Stamp) -> bool:
-    """Whether the environment is there and made from what the stamp says."""
+    """Return whether the environment exists and has this stamp."""
     return read_stamp(STAMP_FILE) == stamp and venv_python().exists()
 
 
 def set_up(run: Runner = run_captured) -> bool:
-    """Bring the environment up to date.
-
-    Returns:
-        Whether there was anything to do.
+    """Update the environment. Return False if it was up to date.
 
     Raises:
-        BootstrapError: something is missing that only the user can supply.
+        BootstrapError: the environment cannot be created, or Qt does not start.
     """
     stamp = current_stamp()
     if is_set_up(stamp):
         return False
     if VENV.is_symlink():
         raise BootstrapError(
-            f"{VENV} is a symbolic link, and setting up would empty the folder that it leads to: "
-            f"{VENV.resolve()}. Please remove the link first."
+            f"{VENV} is a symbolic link. The setup would empty its target, {VENV.resolve()}. "
+            "Remove the link first."
         )
     debian = find_debian()
     if debian:
-        needed = [] if can_make_venv(run) else [venv_package()]
-        debian.supply([*needed, *QT_PACKAGES])
+        needed = [] if can_create_venv(run) else [venv_package()]
+        debian.install_missing([*needed, *QT_PACKAGES])
     if not (venv_python().exists() and stamp.can_keep_venv(read_stamp(STAMP_FILE))):
-        make_venv(run)
+        create_venv(run)
     write_stamp(STAMP_FILE, replace(stamp, requirements=UNFINISHED))
     install_packages()
     require_qt(partial(run_captured, timeout=QT_START_SECONDS))
@@ -467,17 +461,17 @@ def set_up(run: Runner = run_captured) -> bool:
 
 
 def command_setup() -> int:
-    """Make `.venv/` and say how to start the program."""
+    """Create `.venv/` and print how to start the program."""
     if set_up():
         program = venv_program("trex-gui").relative_to(ROOT)
-        say(f"Ready: the window starts with {program}, or try it with --demo and no board.")
+        say(f"Ready. Start the program with {program}, or with --demo to try it without a board.")
     else:
         say(f"{VENV.name}/ is up to date.")
     return 0
 
 
 def may_have_display(environment: Mapping[str, str], system: str) -> bool:
-    """Whether it is worth trying to open a window."""
+    """Return whether a window can perhaps be opened."""
     if environment.get("QT_QPA_PLATFORM") in PLATFORMS_WITHOUT_WINDOW:
         return False
     if system in {"win32", "darwin"}:
@@ -485,8 +479,8 @@ def may_have_display(environment: Mapping[str, str], system: str) -> bool:
     return bool(environment.get("DISPLAY") or environment.get("WAYLAND_DISPLAY"))
 
 
-def why_no_window(run: Runner) -> str | None:
-    """Return why a window cannot be shown here, or None if it can."""
+def reason_without_window(run: Runner) -> str | None:
+    """Return the reason why no window can be shown, or None if a window can be shown."""
     if not may_have_display(os.environ, sys.platform):
         return "There is no display here"
     start = start_qt(run, {})
@@ -499,22 +493,22 @@ def why_no_window(run: Runner) -> str | None:
     return f"The display cannot be opened ({start.reason})"
 
 
-def pictures() -> dict[Path, int]:
-    """Return the screenshots and when each was written."""
+def screenshots() -> dict[Path, int]:
+    """Return the screenshots with their modification times."""
     return {path: path.stat().st_mtime_ns for path in sorted(SCREENSHOTS.glob("*.png"))}
 
 
 def command_demo() -> int:
-    """Show the program on a simulated TReX, in a window or in pictures."""
+    """Show the program with a simulated TReX, in a window or in screenshots."""
     set_up()
     demo = [str(venv_python()), "-m", "trex_gui", "--demo"]
-    reason = why_no_window(partial(run_captured, timeout=QT_START_SECONDS))
+    reason = reason_without_window(partial(run_captured, timeout=QT_START_SECONDS))
     if reason is None:
-        return run_in_sight(demo, {})
-    say(f"{reason}, so the demonstration runs offscreen and takes a picture of every page.")
-    before = pictures()
-    status = run_in_sight([*demo, "--tour", SCREENSHOTS.name], OFFSCREEN)
-    written = [path for path, when in pictures().items() if before.get(path) != when]
+        return run_visibly(demo, {})
+    say(f"{reason}, so the demonstration runs offscreen and saves a screenshot of every page.")
+    before = screenshots()
+    status = run_visibly([*demo, "--tour", SCREENSHOTS.name], OFFSCREEN)
+    written = [path for path, time in screenshots().items() if before.get(path) != time]
     if status != 0 or not written:
         raise BootstrapError(f"The demonstration failed with status {status}.")
     say("Written:")
@@ -525,7 +519,7 @@ def command_demo() -> int:
 
 @dataclass(frozen=True)
 class Check:
-    """One of the checks that a change has to pass."""
+    """Check that every change must pass."""
 
     name: str
     command: tuple[str, ...]
@@ -535,8 +529,6 @@ class Check:
 
 @dataclass(frozen=True)
 class CheckResult:
-    """How a check ended."""
-
     name: str
     passed: bool
     seconds: float
@@ -544,9 +536,9 @@ class CheckResult:
 
 
 def checks(pytest_arguments: Sequence[str], *, every: bool = False) -> list[Check]:
-    """Return every check, the quick ones first and the tests last.
+    """Return all checks, with the tests last.
 
-    With `every` the long tests run, too, and hypothesis looks for new examples.
+    With `every`, the slow tests run, too, and hypothesis searches for new examples.
     """
     ruff, typos, mypy, lint_imports, pytest = (
         str(venv_program(name)) for name in ("ruff", "typos", "mypy", "lint-imports", "pytest")
@@ -570,7 +562,7 @@ def checks(pytest_arguments: Sequence[str], *, every: bool = False) -> list[Chec
 
 
 def summary(results: Iterable[CheckResult]) -> str:
-    """Return a line for each check: step, tests, seconds."""
+    """Return a line for each check: result, name, number of tests, and seconds."""
     return "\n".join(
         f"{'ok' if result.passed else 'FAILED':<7}{result.name:<13}"
         f"{'' if result.tests is None else result.tests:>6}{result.seconds:8.1f} s"
@@ -579,7 +571,7 @@ def summary(results: Iterable[CheckResult]) -> str:
 
 
 def count_tests(report: Path) -> int | None:
-    """Return how many tests a report of pytest is about, where there is one."""
+    """Return the number of tests in a report of pytest, or None without a report."""
     try:
         suite = ElementTree.parse(report).getroot().find("testsuite")
     except (OSError, ElementTree.ParseError):
@@ -588,20 +580,20 @@ def count_tests(report: Path) -> int | None:
 
 
 def memory_folder() -> str | None:
-    """Return a folder in memory if there is one with room for what tests write, some 100 MB.
+    """Return a folder in memory with space for the files of the tests, about 100 MB.
 
-    They flush thousands of files to the disk, which takes a tenth of their time.
+    On a disk, the tests would spend a tenth of their time flushing thousands of files.
     """
     folder = "/dev/shm"
     try:
-        has_room = shutil.disk_usage(folder).free > 1e9 and os.access(folder, os.W_OK)
+        has_space = shutil.disk_usage(folder).free > 1e9 and os.access(folder, os.W_OK)
     except OSError:
-        has_room = False
-    return folder if has_room else None
+        has_space = False
+    return folder if has_space else None
 
 
 def run_check(check: Check) -> CheckResult:
-    """Run one check in sight."""
+    """Run a check on the user's terminal."""
     say(f"\n--- {check.name}")
     started = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="trex-tests", dir=memory_folder()) as folder:
@@ -609,17 +601,17 @@ def run_check(check: Check) -> CheckResult:
         files = (f"--junitxml={report}", f"--basetemp={Path(folder) / 'tests'}")
         to_report = files if check.is_tests else ()
         environment = {**TEST_ENVIRONMENT, **check.environment}
-        status = run_in_sight((*check.command, *to_report), environment)
+        status = run_visibly((*check.command, *to_report), environment)
         tests = count_tests(report) if check.is_tests else None
     passed = status == 0 or (check.is_tests and status == NO_TESTS)
     return CheckResult(check.name, passed, time.monotonic() - started, tests)
 
 
 def compile_tests() -> subprocess.Popen[bytes]:
-    """Compile all tests beside the checks that use one core; a `with` block waits for the end.
+    """Start compiling all tests. A `with` block waits for the end.
 
-    In a new clone that takes each process of pytest 15 s, and later ones 3 s. What is wrong with a
-    test is found when it runs.
+    In a new clone, compiling takes 15 s. It runs in parallel with checks that use only one core.
+    Errors in a test are reported when the test runs.
     """
     return subprocess.Popen(
         [venv_program("pytest"), "--collect-only", "-qq"],
@@ -631,101 +623,96 @@ def compile_tests() -> subprocess.Popen[bytes]:
 
 
 def command_test(pytest_arguments: Sequence[str], *, every: bool = False) -> int:
-    """Run every check, also after one has failed.
-
-    Selecting no test at all is a failure.
-    """
+    """Run all checks, even after a failure. It is a failure if no test is selected."""
     set_up()
     debian = find_debian() if missing_test_programs() else None
     if debian:
-        debian.supply(missing_test_programs())
-    to_do = checks(pytest_arguments, every=every)
+        debian.install_missing(missing_test_programs())
+    all_checks = checks(pytest_arguments, every=every)
     with compile_tests():
-        results = [run_check(check) for check in to_do if not check.is_tests]
-    results += [run_check(check) for check in to_do if check.is_tests]
+        results = [run_check(check) for check in all_checks if not check.is_tests]
+    results += [run_check(check) for check in all_checks if check.is_tests]
     say("\n" + summary(results))
     ran = sum(result.tests or 0 for result in results)
     return 0 if ran and all(result.passed for result in results) else 1
 
 
 def command_lowest(pytest_arguments: Sequence[str]) -> int:
-    """Run the tests with the lowest versions that the metadata allow."""
+    """Run the tests with the lowest allowed versions of the dependencies."""
     set_up()
-    return run_in_sight([str(venv_python()), str(LOWEST), *pytest_arguments], {})
+    return run_visibly([str(venv_python()), str(LOWEST), *pytest_arguments], {})
 
 
 def command_bench(pytest_arguments: Sequence[str], compare: Path | None = None) -> int:
-    """Run the benchmarks in their own order, with their figures on the terminal.
+    """Run the benchmarks and print their figures.
 
-    Args:
-        pytest_arguments: passed on.
-        compare: the saved output of an earlier run, to show ratios to.
+    With `compare`, the saved output of an earlier run, also print the ratios.
     """
     set_up()
     how = ["-s", "-p", "no:randomly", "--timeout=0"]
     if compare is not None:
         how.append(f"--compare={compare.resolve()}")  # pytest runs in the project's folder
     pytest = [str(venv_program("pytest")), str(BENCHMARKS), *how, *pytest_arguments]
-    # Offscreen by default and compiled as in an installation, so that figures can be compared.
-    run_in_sight([str(venv_python()), "-m", "compileall", "-q", "trex_gui"], COMPILE_ONCE)
-    return run_in_sight(pytest, {**OFFSCREEN, **os.environ, **COMPILE_ONCE})
+    # The program runs offscreen by default and is compiled as in an installation.
+    run_visibly([str(venv_python()), "-m", "compileall", "-q", "trex_gui"], COMPILE_ONCE)
+    return run_visibly(pytest, {**OFFSCREEN, **os.environ, **COMPILE_ONCE})
 
 
 def command_soak(minutes: float, seed: int | None) -> int:
-    """Attack the program in real time, in random order; the status is 1 if anything fell short."""
+    """Run random faults in real time. The exit code is 1 after a failure."""
     set_up()
     command = [str(venv_python()), "-m", "tests.soak", f"--minutes={minutes:g}"]
     if seed is not None:
         command.append(f"--seed={seed}")
-    return run_in_sight(command, OFFSCREEN)
+    return run_visibly(command, OFFSCREEN)
 
 
 def command_mutate(arguments: Sequence[str]) -> int:
-    """Change the program in one place at a time and measure what the tests notice."""
+    """Measure which single changes to the program make a test fail."""
     set_up()
-    install_besides("cosmic-ray")
-    return run_in_sight([str(venv_python()), str(MUTATE), *arguments], OFFSCREEN)
+    install_extra("cosmic-ray")
+    return run_visibly([str(venv_python()), str(MUTATE), *arguments], OFFSCREEN)
 
 
 def command_docs() -> int:
-    """Build the site of the documents."""
+    """Build the documentation site."""
     set_up()
-    install_besides("sphinx", "myst-parser", "furo", "sphinx-click", "genson")
-    return run_in_sight([str(venv_python()), str(DOCS)], {})
+    install_extra("sphinx", "myst-parser", "furo", "sphinx-click", "genson")
+    return run_visibly([str(venv_python()), str(DOCS)], {})
 
 
-def install_besides(*packages: str) -> None:
-    """Install what only one command needs.
+def install_extra(*packages: str) -> None:
+    """Install packages that only one command needs.
 
     Raises:
-        BootstrapError: pip could not.
+        BootstrapError: pip failed.
     """
     pip = [str(venv_python()), "-m", "pip", "--disable-pip-version-check", "--no-input", "-qq"]
     wanted = ["install", "--constraint", str(CONSTRAINTS), *packages]
-    if run_in_sight([*pip, *wanted], {"PIP_USER": "0"}) != 0:
-        raise BootstrapError(f"pip could not install {packages[0]}; see its message above.")
+    if run_visibly([*pip, *wanted], {"PIP_USER": "0"}) != 0:
+        raise BootstrapError(f"pip could not install {packages[0]}. See its message above.")
 
 
 def command_package(arguments: Sequence[str]) -> int:
-    """Make what users install, in `dist/`."""
+    """Build the packages in `dist/`."""
     set_up()
-    return run_in_sight([str(venv_python()), str(PACKAGES), *arguments], {})
+    return run_visibly([str(venv_python()), str(PACKAGES), *arguments], {})
 
 
 def command_translations() -> int:
-    """Bring the translation files up to date with the texts of the program, and compile them."""
+    """Update the translation files and compile them."""
     set_up()
-    return run_in_sight([str(venv_python()), str(PACKAGING / "translations.py")], {})
+    return run_visibly([str(venv_python()), str(PACKAGING / "translations.py")], {})
 
 
 def command_pictures() -> int:
-    """Write the pictures of the help and the animation of the README, as at a first start."""
+    """Save the pictures of the help and the animation of the README, with default settings."""
     set_up()
     for script in (PICTURES, ANIMATION):
         with tempfile.TemporaryDirectory() as home:
             folders = {f"XDG_{kind}_HOME": home for kind in ("CONFIG", "DATA", "CACHE")}
             env = {**OFFSCREEN, **folders, "LC_ALL": "C.UTF-8"}
-            code = run_in_sight([str(venv_python()), str(script)], env)
+            code = run_visibly([str(venv_python()), str(script)], env)
         if code:
             return code
     return 0
@@ -741,10 +728,10 @@ def _minutes(text: str) -> float:
     return minutes
 
 
-def make_parser() -> argparse.ArgumentParser:
-    """Return the parser of the command line, without the arguments after `--`."""
+def create_parser() -> argparse.ArgumentParser:
+    """Return the parser of the arguments before `--`."""
     parser = argparse.ArgumentParser(
-        description="Set TReX Studio up in .venv/, then show it, check it or measure it."
+        description="Set up TReX Studio in .venv/, then show, check or measure it."
     )
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
@@ -755,52 +742,54 @@ def make_parser() -> argparse.ArgumentParser:
     for_bench = "%(prog)s [-h] [--compare FILE] [-- PYTEST_ARGUMENT ...]"
     for_mutate = "%(prog)s [-h] [-- OPTION ...], see packaging/mutate.py"
     for_tests = "%(prog)s [-h] [--all | --lowest] [-- PYTEST_ARGUMENT ...]"
-    add("setup", "make .venv/ and install the project and its test tools, pinned")
-    add("demo", "set up if needed and show the program on a simulated TReX")
-    test = add("test", "set up if needed and run every check", for_tests)
+    add("setup", "create .venv/ and install the project and its pinned test tools")
+    add("demo", "show the program with a simulated TReX")
+    test = add("test", "run all checks", for_tests)
     which = test.add_mutually_exclusive_group()
     which.add_argument(
-        "--all", action="store_true", help="the long tests, too, with random seeds: some 20 minutes"
+        "--all",
+        action="store_true",
+        help="also run slow tests, with random seeds (about 20 minutes)",
     )
     which.add_argument(
         "--lowest",
         action="store_true",
-        help="the tests with the lowest versions of the dependencies, in .venv-lowest/",
+        help="use the lowest allowed versions of the dependencies, in .venv-lowest/",
     )
-    bench = add("bench", "set up if needed and run the benchmarks", for_bench)
+    bench = add("bench", "run the benchmarks", for_bench)
     bench.add_argument(
-        "--compare", metavar="FILE", type=Path, help="show ratios to the saved output of a run"
+        "--compare", metavar="FILE", type=Path, help="print ratios to the saved output of a run"
     )
-    soak = add("soak", "set up if needed and let everything go wrong, in random order")
-    soak.add_argument("--minutes", metavar="N", type=_minutes, default=10.0, help="how long (10)")
-    soak.add_argument("--seed", metavar="N", type=int, help="repeats a run; it prints its seed")
-    add("mutate", "set up if needed and measure what the tests catch", for_mutate)
-    add("translations", "set up if needed, update the translation files and compile them")
-    add("docs", "set up if needed and build the site of the documents, in build/docs/html")
-    add("pictures", "set up if needed and make the pictures of the help")
-    package = add("package", "set up if needed and make what users install, in dist/")
-    package.add_argument("--check", action="store_true", help="try each package as a user does")
+    soak = add("soak", "run random faults in real time")
+    soak.add_argument("--minutes", metavar="N", type=_minutes, default=10.0, help="duration (10)")
+    soak.add_argument("--seed", metavar="N", type=int, help="repeat the run that printed this seed")
+    add("mutate", "measure which changes to the program make a test fail", for_mutate)
+    add("translations", "update the translation files and compile them")
+    add("docs", "build the documentation site in build/docs/html")
+    add("pictures", "save the pictures of the help and the animation of the README")
+    package = add("package", "build the packages in dist/")
+    package.add_argument("--check", action="store_true", help="also install and use each package")
     package.add_argument("kinds", nargs="*", metavar="KIND", help="see packaging/packages.py (all)")
     return parser
 
 
 def split_arguments(arguments: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return the arguments before the first `--` and those after it."""
-    own = list(arguments)
-    if "--" not in own:
-        return own, []
-    cut = own.index("--")
-    return own[:cut], own[cut + 1 :]
+    """Return the arguments before and after the first `--`."""
+    before = list(arguments)
+    if "--" not in before:
+        return before, []
+    cut = before.index("--")
+    return before[:cut], before[cut + 1 :]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command and return its status."""
-    own, for_pytest = split_arguments(sys.argv[1:] if arguments is None else arguments)
-    parser = make_parser()
+    """Run a command. Return the exit code."""
+    own, passed_on = split_arguments(sys.argv[1:] if arguments is None else arguments)
+    parser = create_parser()
     options = parser.parse_args(own)
     command = options.command
-    if for_pytest and command not in {"test", "bench", "mutate"}:
-        parser.error(f"{command} takes nothing after --")
+    if passed_on and command not in {"test", "bench", "mutate"}:
+        parser.error(f"{command} accepts no arguments after --")
     without_arguments = {
         "setup": command_setup,
         "demo": command_demo,
@@ -812,16 +801,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if command in without_arguments:
             return without_arguments[command]()
         if command == "test" and options.lowest:
-            return command_lowest(for_pytest)
+            return command_lowest(passed_on)
         if command == "test":
-            return command_test(for_pytest, every=options.all)
+            return command_test(passed_on, every=options.all)
         if command == "soak":
             return command_soak(options.minutes, options.seed)
         if command == "mutate":
-            return command_mutate(for_pytest)
+            return command_mutate(passed_on)
         if command == "package":
             return command_package([*(["--check"] if options.check else []), *options.kinds])
-        return command_bench(for_pytest, options.compare)
+        return command_bench(passed_on, options.compare)
     except BootstrapError as error:
         print(error, file=sys.stderr)
         return 1

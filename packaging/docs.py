@@ -10,7 +10,7 @@ import shutil
 import sys
 from collections.abc import Iterator
 
-from bootstrap import BUILD_DOCS, PACKAGING, ROOT, run_in_sight, say
+from bootstrap import BUILD_DOCS, PACKAGING, ROOT, run_visibly, say
 from json_schemas import schemas
 
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
@@ -58,7 +58,7 @@ def gather() -> None:
 def main() -> int:
     gather()
     sphinx = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-b", "html"]
-    status = run_in_sight([*sphinx, str(SOURCE), str(SITE)], {})
+    status = run_visibly([*sphinx, str(SOURCE), str(SITE)], {})
     if status == 0:
         say(f"Open {SITE / 'index.html'}")
     return status

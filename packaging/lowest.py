@@ -18,7 +18,7 @@ from bootstrap import (
     checks,
     pip_commands,
     run_check,
-    run_in_sight,
+    run_visibly,
     say,
     summary,
 )
@@ -63,7 +63,7 @@ def main() -> int:
     text = CONSTRAINTS.read_text(encoding="utf-8")
     file.write_text("\n".join(constraints(text, lowest)) + "\n", encoding="utf-8")
     for command in pip_commands([str(programs / "python"), "-m", "pip", "-qq"], file):
-        if run_in_sight(command, {"PIP_USER": "0"}) != 0:
+        if run_visibly(command, {"PIP_USER": "0"}) != 0:
             return 1
     results = [
         run_check(replace(check, command=(str(programs / "pytest"), *check.command[1:])))

@@ -125,7 +125,7 @@ def require_programs(packages: Mapping[str, str]) -> None:
     debian = find_debian()
     missing = [package for name, package in packages.items() if shutil.which(name) is None]
     if debian and missing:
-        debian.supply(missing)
+        debian.install_missing(missing)
     if left := [name for name in packages if shutil.which(name) is None]:
         raise BootstrapError(f"These programs are missing: {', '.join(left)}")
 
@@ -200,7 +200,8 @@ def freeze(folder: Path = FROZEN) -> None:
     if sys.platform == "linux":
         require_programs({"objdump": "binutils"})
         if (debian := find_debian()) and sys.base_prefix == "/usr":
-            debian.supply([f"libpython3.{sys.version_info.minor}"])  # not in the package of Python
+            # The package of Python does not contain the library.
+            debian.install_missing([f"libpython3.{sys.version_info.minor}"])
     spec = HERE / "frozen" / "trex-studio.spec"
     folders: Command = ["--distpath", folder.parent, "--workpath", folder.parent.parent / "work"]
     # Seed and time make the result the same each time.

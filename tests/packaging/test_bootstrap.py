@@ -59,13 +59,13 @@ def test_package_is_missing_if_dpkg_fails() -> None:
 
 def test_installed_package_is_not_installed_again() -> None:
     machine = FakeMachine(dpkg_query=LIBEGL_ONLY)
-    bootstrap.Debian(machine, is_root=True).supply(["libegl1"])
+    bootstrap.Debian(machine, is_root=True).install_missing(["libegl1"])
     assert machine.apt_commands == []
 
 
 def test_root_updates_apt_once_and_installs_missing_packages() -> None:
     machine = FakeMachine(dpkg_query=LIBEGL_ONLY)
-    bootstrap.Debian(machine, is_root=True).supply(["libegl1", "libgl1", "libdbus-1-3"])
+    bootstrap.Debian(machine, is_root=True).install_missing(["libegl1", "libgl1", "libdbus-1-3"])
     apt = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "--quiet"]
     assert machine.apt_commands == [
         [*apt, "update"],
@@ -75,13 +75,13 @@ def test_root_updates_apt_once_and_installs_missing_packages() -> None:
 
 def test_passwordless_sudo_is_used_without_root() -> None:
     machine = FakeMachine(dpkg_query=LIBEGL_ONLY)
-    bootstrap.Debian(machine, is_root=False).supply(["libgl1"])
+    bootstrap.Debian(machine, is_root=False).install_missing(["libgl1"])
     assert [command[:3] for command in machine.apt_commands] == [["sudo", "-n", "env"]] * 2
 
 
 def test_install_command_is_printed_if_sudo_is_denied(capsys: pytest.CaptureFixture[str]) -> None:
     machine = FakeMachine(dpkg_query=LIBEGL_ONLY, sudo=SUDO_DENIED)
-    bootstrap.Debian(machine, is_root=False).supply(["libgl1", "libegl1", "libdbus-1-3"])
+    bootstrap.Debian(machine, is_root=False).install_missing(["libgl1", "libegl1", "libdbus-1-3"])
     output = capsys.readouterr().out
     assert output.count("\n") == 1
     assert "sudo apt-get install libgl1 libdbus-1-3\n" in output
@@ -91,7 +91,7 @@ def test_install_command_is_printed_if_sudo_is_denied(capsys: pytest.CaptureFixt
 def test_failed_installation_reports_cause_and_command(capsys: pytest.CaptureFixture[str]) -> None:
     failed = bootstrap.Outcome(100, errors="E: Unable to locate package libgl1")
     machine = FakeMachine(dpkg_query=LIBEGL_ONLY, install=failed)
-    bootstrap.Debian(machine, is_root=True).supply(["libgl1"])
+    bootstrap.Debian(machine, is_root=True).install_missing(["libgl1"])
     output = capsys.readouterr().out
     assert "Unable to locate package libgl1" in output
     assert "sudo apt-get install libgl1" in output
@@ -117,7 +117,7 @@ def test_qt_start_reports_platform_and_fonts() -> None:
         (
             -6,
             "qt.qpa.xcb: could not connect to display :77\n" + "qt.qpa.plugin: ...\n" * 9,
-            "nothing answers on the display",
+            "the display does not respond",
         ),
         (-11, "", "status -11"),
     ],
@@ -161,7 +161,7 @@ def test_display_that_cannot_be_opened_is_reported(monkeypatch: pytest.MonkeyPat
     machine = FakeMachine(
         **{"-c": bootstrap.Outcome(-6, errors="could not connect to display :77")}
     )
-    assert "cannot be opened" in bootstrap.why_no_window(machine)
+    assert "cannot be opened" in bootstrap.reason_without_window(machine)
 
 
 # --- Stamp of the environment
@@ -279,7 +279,7 @@ def test_environment_behind_a_link_is_not_deleted(project: Project, tmp_path: Pa
     other = tmp_path / "other"
     other.mkdir()
     project.venv.symlink_to(other, target_is_directory=True)
-    with pytest.raises(bootstrap.BootstrapError, match=f"empty the folder .* {other}"):
+    with pytest.raises(bootstrap.BootstrapError, match=f"would empty its target, {other}"):
         project.set_up()
     assert not project.machine.commands
     assert not list(other.iterdir())
@@ -343,7 +343,7 @@ class Programs:
 def programs(monkeypatch: pytest.MonkeyPatch) -> Programs:
     programs = Programs()
     monkeypatch.setattr(bootstrap, "set_up", lambda: False)
-    monkeypatch.setattr(bootstrap, "run_in_sight", programs.run)
+    monkeypatch.setattr(bootstrap, "run_visibly", programs.run)
     monkeypatch.setattr(bootstrap, "compile_tests", nullcontext)
     return programs
 
@@ -439,8 +439,8 @@ def test_demo_without_display_lists_its_screenshots(
 
     monkeypatch.setattr(bootstrap, "ROOT", tmp_path)
     monkeypatch.setattr(bootstrap, "SCREENSHOTS", folder)
-    monkeypatch.setattr(bootstrap, "why_no_window", lambda run: "There is no display")
-    monkeypatch.setattr(bootstrap, "run_in_sight", save_picture)
+    monkeypatch.setattr(bootstrap, "reason_without_window", lambda run: "There is no display")
+    monkeypatch.setattr(bootstrap, "run_visibly", save_picture)
     assert bootstrap.main(["demo"]) == 0
     assert list(programs.commands[0][-2:]) == ["--tour", "demo-screenshots"]
     assert programs.environment == {"QT_QPA_PLATFORM": "offscreen"}
@@ -461,7 +461,7 @@ def test_pictures_are_created_offscreen_without_user_settings(
         assert not list(home.iterdir())
         return 3
 
-    monkeypatch.setattr(bootstrap, "run_in_sight", run)
+    monkeypatch.setattr(bootstrap, "run_visibly", run)
     assert bootstrap.PICTURES.is_file()
     assert bootstrap.main(["pictures"]) == 3
 
