@@ -66,13 +66,13 @@ def test_timely_reply_is_read_although_thread_is_late(
 
     def wait(*arguments: Any) -> Any:
         found = select.select(*arguments)
-        os.write(far, b"answer")  # after the last check
+        os.write(far, b"a reply")  # after the last check
         # A pseudo-terminal delivers bytes late: wait for them.
         select.select(arguments[0], [], [], 10)
         return found
 
     monkeypatch.setattr(serialposix, "select", _Late(select, select=wait))
-    assert transport.read(6, 0.001) == b"answer"
+    assert transport.read(7, 0.001) == b"a reply"
 
 
 def test_write_to_blocked_port_raises_port_unavailable(ends: tuple[int, SerialTransport]) -> None:

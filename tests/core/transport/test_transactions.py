@@ -72,28 +72,28 @@ TREX: list[tuple[Exchange, str, bool]] = [
 ]
 
 
-@pytest.mark.parametrize(("said", "text", "is_fault"), TREX, ids=lambda value: str(value)[:40])
-def test_trex_exchange_is_decoded(said: Exchange, text: str, is_fault: bool) -> None:
-    assert reports(TrexDecoder(), pieces_of([said])) == [(text, is_fault)]
+@pytest.mark.parametrize(("exchange", "text", "is_fault"), TREX, ids=lambda value: str(value)[:40])
+def test_trex_exchange_is_decoded(exchange: Exchange, text: str, is_fault: bool) -> None:
+    assert reports(TrexDecoder(), pieces_of([exchange])) == [(text, is_fault)]
 
 
 @examples(40)
 @given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
 def test_fragmented_bytes_decode_to_same_rows(
-    talk: list[tuple[Exchange, str, bool]], cut: int
+    cases: list[tuple[Exchange, str, bool]], size: int
 ) -> None:
     # Bytes after a complete reply start their own row, at any chunk boundary.
-    said = [one[0] for one in talk if one[0][0] and not one[2]]
-    whole = reports(TrexDecoder(), pieces_of(said))
-    assert reports(TrexDecoder(), pieces_of(said, cut)) == whole
-    assert len(whole) == len(said)
+    exchanges = [exchange for exchange, _, is_fault in cases if exchange[0] and not is_fault]
+    whole = reports(TrexDecoder(), pieces_of(exchanges))
+    assert reports(TrexDecoder(), pieces_of(exchanges, size)) == whole
+    assert len(whole) == len(exchanges)
 
 
 def test_every_byte_appears_in_exactly_one_row() -> None:
-    said = [one[0] for one in TREX]
-    rows = rows_of(TrexDecoder(), pieces_of(said, 1))
-    assert b"".join(row.sent for row in rows) == b"".join(sent for sent, _ in said)
-    assert b"".join(row.received for row in rows) == b"".join(received for _, received in said)
+    exchanges = [exchange for exchange, _, _ in TREX]
+    rows = rows_of(TrexDecoder(), pieces_of(exchanges, 1))
+    assert b"".join(row.sent for row in rows) == b"".join(sent for sent, _ in exchanges)
+    assert b"".join(row.received for row in rows) == b"".join(reply for _, reply in exchanges)
 
 
 @pytest.mark.parametrize("command", [GetSignature(), GetMode(), SetParameter(7, 15)], ids=str)
@@ -102,11 +102,11 @@ def test_reply_with_wrong_crc_is_decoded_as_fault(
     command: Command[object], number: int | None
 ) -> None:
     sent = Framing(number, CRC.polynomial).encode(command)
-    answer = {GetSignature: b"TReX1.2", GetMode: b"r", SetParameter: b"\x00"}[type(command)]
-    good = answer + bytes([crc7(answer, CRC.polynomial)])
+    reply = {GetSignature: b"TReX1.2", GetMode: b"r", SetParameter: b"\x00"}[type(command)]
+    good = reply + bytes([crc7(reply, CRC.polynomial)])
     ((_, is_fault),) = reports(TrexDecoder(), pieces_of([(sent, good)], settings=CRC))
     assert not is_fault
-    bad = answer + bytes([good[-1] ^ 1])
+    bad = reply + bytes([good[-1] ^ 1])
     ((text, is_fault),) = reports(TrexDecoder(), pieces_of([(sent, bad)], settings=CRC))
     assert is_fault
     assert "the CRC is" in text

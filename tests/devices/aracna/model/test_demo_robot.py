@@ -147,9 +147,9 @@ def test_each_loss_sends_its_control_line(qtbot: QtBot) -> None:
     with qtbot.assertNotEmitted(robot.rejected):
         for loss in losses:
             robot.lose(loss)
-        answers: list[str] = []
-        simulator.send("show", answers.append)
-        qtbot.waitUntil(lambda: bool(answers), timeout=15_000)
+        replies: list[str] = []
+        simulator.send("show", replies.append)
+        qtbot.waitUntil(lambda: bool(replies), timeout=15_000)
     assert simulator.changes() == [f"line {loss}" for loss in losses]
     robot.watch(False)
     simulator.stop()

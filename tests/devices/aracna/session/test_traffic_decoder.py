@@ -41,19 +41,21 @@ ARACNA: list[tuple[Exchange, str, bool]] = [
 ]
 
 
-@pytest.mark.parametrize(("said", "text", "is_fault"), ARACNA, ids=lambda value: str(value)[:40])
-def test_exchange_is_decoded_as_text(said: Exchange, text: str, is_fault: bool) -> None:
-    assert reports(AracnaDecoder(), pieces_of([said])) == [(text, is_fault)]
+@pytest.mark.parametrize(
+    ("exchange", "text", "is_fault"), ARACNA, ids=lambda value: str(value)[:40]
+)
+def test_exchange_is_decoded_as_text(exchange: Exchange, text: str, is_fault: bool) -> None:
+    assert reports(AracnaDecoder(), pieces_of([exchange])) == [(text, is_fault)]
 
 
 @examples(40)
 @given(st.lists(st.sampled_from(ARACNA), max_size=8), st.integers(1, 5))
 def test_chunk_size_does_not_change_decoded_rows(
-    talk: list[tuple[Exchange, str, bool]], cut: int
+    cases: list[tuple[Exchange, str, bool]], size: int
 ) -> None:
-    said = [one[0] for one in talk if one[0][0]]
-    whole = reports(AracnaDecoder(), pieces_of(said))
-    assert reports(AracnaDecoder(), pieces_of(said, cut)) == whole
+    exchanges = [exchange for exchange, _, _ in cases if exchange[0]]
+    whole = reports(AracnaDecoder(), pieces_of(exchanges))
+    assert reports(AracnaDecoder(), pieces_of(exchanges, size)) == whole
 
 
 def test_only_positions_may_move_a_motor() -> None:

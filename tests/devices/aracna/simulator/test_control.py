@@ -25,8 +25,8 @@ ACCEPTED = [
 
 
 def test_valid_control_line_is_confirmed(harness: AracnaHarness) -> None:
-    for text, answer in ACCEPTED:
-        assert control(harness.line, text) == f"ok {answer}"
+    for text, reply in ACCEPTED:
+        assert control(harness.line, text) == f"ok {reply}"
     assert control(harness.line, "QUIT") == GOODBYE
 
 

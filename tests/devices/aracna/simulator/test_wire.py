@@ -91,8 +91,8 @@ def test_cut_reply_ends_early_and_next_reply_is_complete(
     harness: AracnaHarness, delivered: int
 ) -> None:
     harness.do(f"line cut {delivered}")
-    answer = harness.request(GOALS)
-    assert answer == b".c512,512,"[:delivered]
+    reply = harness.request(GOALS)
+    assert reply == b".c512,512,"[:delivered]
     assert harness.request(b".q\n") == VERSION
     assert harness.line.faults.counters["dropped"] == 35 - delivered
 
