@@ -1,4 +1,4 @@
-"""Steps of a check, and what each of them requires."""
+"""Steps and requirements of package checks."""
 
 import json
 import subprocess
@@ -11,51 +11,52 @@ from typing import IO
 
 from bootstrap import BootstrapError, say
 
-PATIENCE_S = 120.0
-"""Seconds for what takes some on a fast computer."""
-TOUR_S = 600.0
-"""Seconds for the pictures of every page, which take a minute or two."""
+TIMEOUT_S = 120.0  # for actions that take a few seconds on a fast computer
+TOUR_TIMEOUT_S = 600.0  # for the pictures of every page, which take one or two minutes
 
 
 class StepFailedError(Exception):
-    """The steps that follow cannot be done."""
+    """Failure of a required step. The later steps of its group cannot run."""
 
 
 class Steps:
-    """Runs the steps of a check and says how each has ended."""
+    """Runs the steps of a check and reports their results. `failed`: titles of failed steps."""
 
     def __init__(self) -> None:
         self.failed: list[str] = []
-        self._place = ""
+        self._group = ""
 
     @contextmanager
-    def place(self, name: str) -> Iterator[Path]:
-        """Give a new folder to install into; a required step that fails ends the block."""
-        self._place = name
-        say(f"\n{name}")
+    def group(self, title: str) -> Iterator[Path]:
+        """Open a group of steps, and yield a temporary folder.
+
+        A failed required step ends the block.
+        """
+        self._group = title
+        say(f"\n{title}")
         temporary = tempfile.TemporaryDirectory(prefix="trex-package-")
         try:
             with temporary as folder, suppress(StepFailedError):
                 yield Path(folder)
         finally:
-            self._place = ""
+            self._group = ""
 
     @contextmanager
     def step(self, name: str) -> Iterator[None]:
-        """Report how the block ends; after an error the next step follows."""
+        """Report the result of the block. Suppresses an error of the block."""
         started, failures = time.monotonic(), len(self.failed)
         try:
             yield
         except (BootstrapError, OSError, subprocess.SubprocessError) as error:
-            self.failed.append(f"{self._place}: {name}" if self._place else name)
+            self.failed.append(f"{self._group}: {name}" if self._group else name)
             say(f"  FAILED  {name}\n{error}")
         else:
-            if len(self.failed) == failures:  # of the steps within this one, too
+            if len(self.failed) == failures:  # nor has a step within this step failed
                 say(f"  ok      {name} ({time.monotonic() - started:.0f} s)")
 
     @contextmanager
     def required(self, name: str) -> Iterator[None]:
-        """Report how the block ends; after an error the other steps are left out."""
+        """Report the result of the block. An error ends the group of steps."""
         failures = len(self.failed)
         with self.step(name):
             yield
@@ -63,35 +64,37 @@ class Steps:
             raise StepFailedError
 
 
-def require(fact: object, text: str) -> None:
-    if not fact:
-        raise BootstrapError(text)
+def require(condition: object, message: str) -> None:
+    """Raise BootstrapError unless the condition is true."""
+    if not condition:
+        raise BootstrapError(message)
 
 
 def require_gone(paths: Iterable[Path]) -> None:
-    left = [str(path) for path in paths if path.exists() or path.is_symlink()]
-    require(not left, f"left behind: {', '.join(left)}")
+    remaining = [str(path) for path in paths if path.exists() or path.is_symlink()]
+    require(not remaining, f"not removed: {', '.join(remaining)}")
 
 
-def wait_until(fact: Callable[[], object], text: str, seconds: float = PATIENCE_S) -> None:
-    end = time.monotonic() + seconds
-    while not fact():
-        require(time.monotonic() < end, f"{text} within {seconds:.0f} s")
+def wait_until(condition: Callable[[], object], message: str, timeout: float = TIMEOUT_S) -> None:
+    """Poll a condition until it is true. Raise BootstrapError after `timeout` seconds."""
+    end = time.monotonic() + timeout
+    while not condition():
+        require(time.monotonic() < end, f"{message} within {timeout:.0f} s")
         time.sleep(0.1)
 
 
 class SimulatedBoard:
-    """The simulated board of `trex-sim`, by its control lines."""
+    """Simulated board of `trex-sim`, queried through its standard streams."""
 
-    def __init__(self, writing: IO[bytes], reading: IO[bytes]) -> None:
-        self._writing, self._reading = writing, reading
+    def __init__(self, requests: IO[bytes], replies: IO[bytes]) -> None:
+        self._requests, self._replies = requests, replies
 
     @property
     def is_at_rest(self) -> bool:
-        """Whether no motor is driven."""
-        self._writing.write(b"show\n")
-        self._writing.flush()
-        while line := self._reading.readline():
+        """True if no motor is driven."""
+        self._requests.write(b"show\n")
+        self._requests.flush()
+        while line := self._replies.readline():
             if line.startswith(b"ok {"):
                 motors = json.loads(line[3:])["motors"]
                 return all(motor["direction"] == "brake" or not motor["speed"] for motor in motors)
@@ -99,26 +102,28 @@ class SimulatedBoard:
 
 
 def simulated_board(process: "subprocess.Popen[bytes]") -> tuple[str, SimulatedBoard]:
-    """Return the port that `trex-sim` names when it is ready, and its board."""
+    """Wait until `trex-sim` is ready. Return its port and board."""
     assert process.stdin is not None
     assert process.stdout is not None
     line = process.stdout.readline().decode()
-    require(line.startswith("ready "), "trex-sim does not start")
+    require(line.startswith("ready "), "trex-sim did not start")
     return line.removeprefix("ready ").strip(), SimulatedBoard(process.stdin, process.stdout)
 
 
-def use_board(trexcmd: Callable[..., str], home: Path, steps: Steps, board: SimulatedBoard) -> None:
-    """Do with the command line what a user does who has connected a board.
+def check_board(
+    trexcmd: Callable[..., str], home: Path, steps: Steps, board: SimulatedBoard
+) -> None:
+    """Use the command line with a connected board.
 
     Args:
-        trexcmd: runs `trexcmd` on the port of the board, with paths as it sees them.
-        home: takes the files.
-        steps: of the check.
-        board: on that port.
+        trexcmd: runs `trexcmd` on the port of the board, and converts paths for it.
+        home: folder for the files that the steps write.
+        steps: steps of the check.
+        board: the connected board.
     """
     settings, recording = home / "board.txt", home / "recording.csv"
     with steps.step("read"):
-        require('"TReX"' in trexcmd("status", "--json"), "no TReX")
+        require('"TReX"' in trexcmd("status", "--json"), "no TReX found")
     with steps.step("change a parameter"):
         trexcmd("set", "serial_timeout", "0.5 s")
         value = trexcmd("get", "serial_timeout")

@@ -1,8 +1,9 @@
-"""Make what users install, in `dist/`, and try it as a user would.
+"""Build and check the packages for users.
 
     python3 packaging/bootstrap.py package [--check] [wheel|frozen|deb|windows ...]
 
-A kind of package is a row of `TARGETS`.
+The files are in `dist/`. Each kind of package is a row of `TARGETS`. A check installs and removes
+the package, and uses its programs as a user does.
 """
 
 import argparse
@@ -28,17 +29,17 @@ from pathlib import Path
 
 from bootstrap import CONSTRAINTS, ROOT, BootstrapError, find_debian, say
 from checks import (
-    PATIENCE_S,
-    TOUR_S,
+    TIMEOUT_S,
+    TOUR_TIMEOUT_S,
     SimulatedBoard,
     Steps,
+    check_board,
     require,
     require_gone,
     simulated_board,
-    use_board,
     wait_until,
 )
-from windows.package import check_installer, freeze_in_wine, make_installer
+from windows.package import build_installer, check_installer, freeze_in_wine
 from windows.wine import PROGRAMS as WINE_PROGRAMS
 from windows.wine import Windows, Wine
 
@@ -51,7 +52,7 @@ PROGRAMS = ("trex-gui", "trexcmd", "trex-sim")
 CHECKSUMS = "SHA256SUMS"
 METADATA = "local.trexstudio.TReXStudio.metainfo.xml"
 EXTRAS = "[gui,gamepad,mcap,remote]"
-MOST_MB, MOST_PACKAGES = 15, 6  # of an installation without the window
+MAX_MB, MAX_PACKAGES = 15, 6  # limits of an installation without the window
 EXAMPLES = {
     "drive": ("40",),
     "explain": (),
@@ -62,14 +63,14 @@ EXAMPLES = {
     "set_parameters": (),
     "wait_for_line": (),
 }
-"""The examples that need neither a hand nor a file, and what they take after the port."""
+"""Examples that need no user input and no file → arguments after the port."""
 SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 
 Command = Sequence[str | Path]
 
 
 def version() -> str:
-    """Return the version of the program from the one place that says it."""
+    """Return the version of the program, read from `trex_gui/version.py`."""
     text = (ROOT / "trex_gui" / "version.py").read_text(encoding="utf-8")
     found = re.search(r'^__version__ = "([^"]+)"$', text, re.MULTILINE)
     if found is None:
@@ -78,14 +79,17 @@ def version() -> str:
 
 
 def release_time() -> int:
-    """Return the time that files in packages have: that of the last commit, where one is known."""
+    """Return the timestamp of packaged files, in seconds since 1970.
+
+    The source is `SOURCE_DATE_EPOCH`, else the last commit, else `pyproject.toml`.
+    """
     if given := os.environ.get("SOURCE_DATE_EPOCH"):
         return int(given)
     git = ["git", "-C", str(ROOT), "log", "-1", "--format=%ct"]
-    done = subprocess.run(git, capture_output=True, text=True, check=False)
-    return (
-        int(done.stdout) if done.returncode == 0 else int((ROOT / "pyproject.toml").stat().st_mtime)
-    )
+    process = subprocess.run(git, capture_output=True, text=True, check=False)
+    if process.returncode == 0:
+        return int(process.stdout)
+    return int((ROOT / "pyproject.toml").stat().st_mtime)
 
 
 def run(
@@ -94,14 +98,14 @@ def run(
     timeout: float | None = None,
     cwd: Path = ROOT,
 ) -> str:
-    """Run a command and return what it writes.
+    """Run a command and return its standard output.
 
     Raises:
-        BootstrapError: it failed or took too long; holds the end of what it wrote.
+        BootstrapError: the command failed or timed out. Contains the last lines of its output.
     """
     words = [str(word) for word in command]
     try:
-        done = subprocess.run(
+        process = subprocess.run(
             words,
             env=env,
             cwd=cwd,
@@ -113,21 +117,28 @@ def run(
             check=False,
         )
     except subprocess.TimeoutExpired as error:
-        raise BootstrapError(f"{' '.join(words)}: no end within {timeout:.0f} s") from error
-    if done.returncode != 0:
-        lines = [*done.stdout.splitlines()[-8:], *done.stderr.splitlines()[-12:]]
-        raise BootstrapError("\n".join([f"{' '.join(words)}: status {done.returncode}", *lines]))
-    return done.stdout
+        raise BootstrapError(f"{' '.join(words)}: did not end within {timeout:.0f} s") from error
+    if process.returncode != 0:
+        lines = [*process.stdout.splitlines()[-8:], *process.stderr.splitlines()[-12:]]
+        raise BootstrapError("\n".join([f"{' '.join(words)}: status {process.returncode}", *lines]))
+    return process.stdout
 
 
 def require_programs(packages: Mapping[str, str]) -> None:
-    """Install the Debian packages of programs that are missing, where that can be done."""
+    """Install the Debian packages of missing programs, if possible.
+
+    Args:
+        packages: name of each program → Debian package that contains it.
+
+    Raises:
+        BootstrapError: a program is still missing.
+    """
     debian = find_debian()
     missing = [package for name, package in packages.items() if shutil.which(name) is None]
     if debian and missing:
         debian.install_missing(missing)
-    if left := [name for name in packages if shutil.which(name) is None]:
-        raise BootstrapError(f"These programs are missing: {', '.join(left)}")
+    if still_missing := [name for name in packages if shutil.which(name) is None]:
+        raise BootstrapError(f"Install these missing programs: {', '.join(still_missing)}")
 
 
 # --- Wheel and sdist ---------------------------------------------------------------------------
@@ -135,7 +146,7 @@ def require_programs(packages: Mapping[str, str]) -> None:
 
 @cache
 def build_wheel() -> list[Path]:
-    """Make the wheel and the sdist."""
+    """Build the wheel and the sdist, in this order. Runs only once."""
     run([sys.executable, "-m", "hatchling", "build", "--directory", DIST])
     return [
         DIST / f"trex_gui-{version()}-py3-none-any.whl",
@@ -143,28 +154,35 @@ def build_wheel() -> list[Path]:
     ]
 
 
-def pythons() -> dict[str, Path]:
-    """Return this interpreter, and one of each other version from 3.11 on that is here."""
+def find_pythons() -> dict[str, Path]:
+    """Return an interpreter for each Python from 3.11 on.
+
+    The keys are versions such as "3.11". The values are the current interpreter, and others in
+    the search path and in pyenv.
+    """
     pyenv = Path(os.environ.get("PYENV_ROOT") or Path.home() / ".pyenv")
     found = {f"3.{sys.version_info.minor}": Path(sys.executable)}
     folders = [*map(Path, os.get_exec_path()), *sorted(pyenv.glob("versions/*/bin"))]
     for path in (path for folder in folders for path in sorted(folder.glob("python3.*"))):
         name = re.fullmatch(r"python(3\.(\d+))", path.name)
         if name and int(name[2]) >= 11 and name[1] not in found:
-            ask = [str(path), "-c", "import sys, venv; print(sys.executable)"]
-            answer = subprocess.run(ask, capture_output=True, text=True, check=False)
-            if answer.returncode == 0:  # not a shim of pyenv for a version that is off
-                found[name[1]] = Path(answer.stdout.strip())
+            command = [str(path), "-c", "import sys, venv; print(sys.executable)"]
+            process = subprocess.run(command, capture_output=True, text=True, check=False)
+            if process.returncode == 0:  # a shim of pyenv fails if its version is not active
+                found[name[1]] = Path(process.stdout.strip())
     return found
 
 
 def check_wheel(files: Sequence[Path], steps: Steps) -> None:
-    """Install each file with pip into an environment far from the source, for every Python."""
-    for file, (number, python) in product(files, pythons().items()):
+    """Use each file with every Python, installed by pip.
+
+    The environments are outside the source tree.
+    """
+    for file, (number, python) in product(files, find_pythons().items()):
         kind = "wheel" if file.suffix == ".whl" else "sdist"
         for extras in ("", EXTRAS) if kind == "wheel" else (EXTRAS,):
-            what = f"{kind}, Python {number}{'' if extras else ', no window'}"
-            with steps.place(what) as folder:
+            title = f"{kind}, Python {number}{'' if extras else ', no window'}"
+            with steps.group(title) as folder:
                 environment = folder / "venv"
                 installed = Installed(environment / "bin", folder)
                 pip: Command = [environment / "bin/pip", "--disable-pip-version-check", "-q"]
@@ -172,9 +190,9 @@ def check_wheel(files: Sequence[Path], steps: Steps) -> None:
                     run([python, "-m", "venv", environment], installed.environment)
                     run([*pip, "install", f"{file}{extras}"], installed.environment)
                 if extras:
-                    use(installed, steps)
+                    check_programs(installed, steps)
                 else:
-                    use_without_window(installed, environment, steps)
+                    check_without_window(installed, environment, steps)
                 with steps.step("remove"):
                     run([*pip, "uninstall", "--yes", "trex-gui"], installed.environment)
                     require_gone(installed.programs)
@@ -185,7 +203,7 @@ def check_wheel(files: Sequence[Path], steps: Steps) -> None:
 
 
 def build_frozen() -> list[Path]:
-    """Make one folder with the three programs, and an archive of it."""
+    """Build the frozen folder, and an archive of it."""
     freeze()
     file = DIST / f"trex-studio-{version()}-{sys.platform}-{platform.machine()}.tar.gz"
     pack(FROZEN, file)
@@ -194,7 +212,7 @@ def build_frozen() -> list[Path]:
 
 @cache
 def freeze(folder: Path = FROZEN) -> None:
-    """Make the folder with PyInstaller, and add the licences."""
+    """Build the folder of the three programs with PyInstaller. Runs only once."""
     constraints: Command = ["--constraint", CONSTRAINTS]
     run([sys.executable, "-m", "pip", "install", "-q", *constraints, "pyinstaller"])
     if sys.platform == "linux":
@@ -204,9 +222,9 @@ def freeze(folder: Path = FROZEN) -> None:
             debian.install_missing([f"libpython3.{sys.version_info.minor}"])
     spec = HERE / "frozen" / "trex-studio.spec"
     folders: Command = ["--distpath", folder.parent, "--workpath", folder.parent.parent / "work"]
-    # Seed and time make the result the same each time.
+    # A fixed hash seed and timestamp make the result reproducible.
     fixed = {"PYTHONHASHSEED": "1", "SOURCE_DATE_EPOCH": str(release_time())}
-    say("Freezing the program; this takes half a minute.")
+    say("Freezing the program. This takes half a minute.")
     pyinstaller: Command = [sys.executable, "-m", "PyInstaller", "--noconfirm", "--log-level=WARN"]
     run([*pyinstaller, *folders, spec], {**os.environ, **fixed})
     if sys.platform == "linux":
@@ -217,7 +235,7 @@ def freeze(folder: Path = FROZEN) -> None:
 
 
 def remove_debug_symbols(folder: Path) -> None:
-    """Remove what only a debugger reads from Python's own libraries and others: 30 MB."""
+    """Remove debug symbols from bundled libraries, about 30 MB."""
     files = [
         *folder.glob("libpython*"),
         *folder.glob("python3*/lib-dynload/*.so"),
@@ -231,13 +249,13 @@ def remove_debug_symbols(folder: Path) -> None:
 
 
 def bundled_distributions() -> list[Distribution]:
-    """Return the Python packages in the frozen folder, as pip knows them."""
+    """Return the bundled Python packages, sorted by name."""
     found: dict[str, Distribution] = {}
     queue = ["trex-gui"]
     while queue:
         try:
             package = distribution(queue.pop())
-        except PackageNotFoundError:  # only for other systems or Pythons
+        except PackageNotFoundError:  # required only on other systems or Pythons
             continue
         name = package.metadata["Name"]
         if name in found:
@@ -259,11 +277,11 @@ WITHOUT_LICENCE = {
     "PySide6_Essentials": "LGPL-3.txt",
     "shiboken6": "LGPL-3.txt",
 }
-"""Packages that bring no text of their licence, and the file in `licences/` that holds it."""
+"""Packages that contain no licence text → file in `licences/` with the text."""
 
 
 def licence_texts(package: Distribution) -> str:
-    """Return the licences that a package brings."""
+    """Return the licence texts that a package contains. Empty if it contains none."""
     names = re.compile(r"(LICEN[CS]E|COPYING|NOTICE)[^/]*", re.IGNORECASE)
     files = [file for file in package.files or [] if names.fullmatch(file.name)]
     in_metadata = [file for file in files if ".dist-info" in str(file)]
@@ -271,7 +289,11 @@ def licence_texts(package: Distribution) -> str:
 
 
 def copy_licences(folder: Path) -> None:
-    """Fill the folder `licences`: of everything that is in the frozen folder."""
+    """Copy the licences of all bundled software to `licences/`.
+
+    Raises:
+        BootstrapError: the licence of a package is not known.
+    """
     licences = folder / "licences"
     shutil.copytree(HERE / "licences", licences)
     shutil.copy(ROOT / "LICENSE", licences / "TReX-Studio.txt")
@@ -282,14 +304,14 @@ def copy_licences(folder: Path) -> None:
         if text := licence_texts(package):
             (licences / f"{name}.txt").write_text(text, encoding="utf-8")
         elif name not in WITHOUT_LICENCE:
-            raise BootstrapError(f"{name} brings no licence; add it to packaging/licences.")
+            raise BootstrapError(f"{name} contains no licence text. Add it to packaging/licences.")
     loader = distribution("pyinstaller")
     (licences / "PyInstaller.txt").write_text(licence_texts(loader), encoding="utf-8")
     (licences / "versions.txt").write_text("\n".join(versions) + "\n", encoding="utf-8")
     standard = Path(os.__file__).parent
     texts = [
         path
-        for folder_of_text in (standard, *standard.parents[:2])  # as the systems have it
+        for folder_of_text in (standard, *standard.parents[:2])  # its place depends on the system
         if (path := folder_of_text / "LICENSE.txt").exists()
     ]
     debian = Path(f"/usr/share/doc/python3.{sys.version_info.minor}/copyright")
@@ -301,32 +323,32 @@ def copy_licences(folder: Path) -> None:
 
 
 def pack(folder: Path, file: Path) -> None:
-    """Write an archive of a folder that is the same for the same content."""
-    fixed = release_time()
+    """Write an archive of a folder. Folders of equal content give identical archives."""
+    timestamp = release_time()
 
-    def plain(member: tarfile.TarInfo) -> tarfile.TarInfo:
+    def normalized(member: tarfile.TarInfo) -> tarfile.TarInfo:
         member.uid = member.gid = 0
         member.uname = member.gname = "root"
-        member.mtime = fixed
+        member.mtime = timestamp
         return member
 
     with (
         file.open("wb") as raw,
-        gzip.GzipFile("", "wb", 6, raw, fixed) as packed,
+        gzip.GzipFile("", "wb", 6, raw, timestamp) as packed,
         tarfile.open(fileobj=packed, mode="w") as archive,
     ):
-        archive.add(folder, f"{folder.name}-{version()}", filter=plain)
+        archive.add(folder, f"{folder.name}-{version()}", filter=normalized)
 
 
 def check_frozen(files: Sequence[Path], steps: Steps) -> None:
-    """Unpack the archive elsewhere and use it there."""
+    """Unpack the archive in another folder, and use it."""
     for file in files:
-        with steps.place("frozen") as folder:
-            target = make(folder / "programs")
+        with steps.group("frozen") as folder:
+            target = create_folder(folder / "programs")
             installed = Installed(target / f"{FROZEN.name}-{version()}", folder)
             with steps.required("unpack"):
                 run(["tar", "-C", target, "-xf", file])
-            use(installed, steps)
+            check_programs(installed, steps)
             with steps.step("remove"):
                 shutil.rmtree(target)
 
@@ -335,13 +357,17 @@ def check_frozen(files: Sequence[Path], steps: Steps) -> None:
 
 
 def debian_packages(libraries: Iterable[str]) -> dict[str, str]:
-    """Return the Debian package of each library that is one of this system, by its file name."""
+    """Return the Debian packages of libraries, by file name.
+
+    Libraries that Debian does not provide are absent.
+    """
     if shutil.which("dpkg-query") is None:
         return {}
     patterns = [f"{folder}/*/{name}" for name in libraries for folder in ("/lib", "/usr/lib")]
     search = ["dpkg-query", "--search", *patterns]
-    done = subprocess.run(search, capture_output=True, text=True, check=False)  # some are not
-    found = (line.rpartition(": ") for line in done.stdout.splitlines())
+    # The status is 1 if Debian does not provide one of the libraries.
+    process = subprocess.run(search, capture_output=True, text=True, check=False)
+    found = (line.rpartition(": ") for line in process.stdout.splitlines())
     in_folder = re.compile(r"(/usr)?/lib/[^/]+/([^/]+)")
     return {
         match[2]: packages.partition(":")[0]
@@ -351,13 +377,13 @@ def debian_packages(libraries: Iterable[str]) -> dict[str, str]:
 
 
 def debian_libraries(folder: Path) -> dict[str, str]:
-    """Return which libraries in the frozen folder are Debian's, and the package of each."""
+    """Return the Debian packages of bundled libraries, by file name."""
     names = {path.name for path in (folder / "_internal").glob("lib*.so*") if not path.is_symlink()}
     return debian_packages(name for name in names if not name.startswith("libpython"))
 
 
 def needed_packages(folder: Path) -> list[str]:
-    """Return the Debian packages that hold the libraries which a folder needs and has not."""
+    """Return the Debian packages of required libraries that are not bundled."""
     libraries = list(folder.rglob("*.so*"))
     needed: set[str] = set()
     for path in [*libraries, *(folder / name for name in PROGRAMS)]:
@@ -368,7 +394,11 @@ def needed_packages(folder: Path) -> list[str]:
 
 
 def command_help(*words: str) -> str:
-    """Return what a program of the environment says about its use, 80 columns wide."""
+    """Return the help of a command, 80 columns wide.
+
+    Args:
+        words: name of the program, and of its subcommand.
+    """
     program = Path(sys.executable).with_name(words[0])
     return run(
         [program, *words[1:], "--help"], {**os.environ, "COLUMNS": "80", "LC_ALL": "C.UTF-8"}
@@ -383,7 +413,7 @@ SUMMARIES = {
 
 
 def manual_page(program: str) -> str:
-    """Return the manual page of a program, made from what it says about its use."""
+    """Return the manual page of a program. It contains its help."""
     commands = [""]
     text = command_help(program)
     if "\nCommands:\n" in text:
@@ -404,14 +434,14 @@ def manual_page(program: str) -> str:
 
 
 def roff(text: str) -> str:
-    """Return a text that roff prints as it is."""
+    """Return a text with special characters escaped for roff."""
     text = text.replace("\\", r"\e").replace("-", r"\-")
     return re.sub(r"^(?=[.'])", r"\\&", text, flags=re.MULTILINE)
 
 
 def write(path: Path, text: str | bytes) -> None:
-    """Write a file of a package, compressed where its name ends so."""
-    make(path.parent)
+    """Write a file of a package. The suffix `.gz` compresses it."""
+    create_folder(path.parent)
     data = text.encode() if isinstance(text, str) else text
     if path.suffix == ".gz":
         packed = io.BytesIO()
@@ -421,29 +451,29 @@ def write(path: Path, text: str | bytes) -> None:
     path.write_bytes(data)
 
 
-def make(folder: Path) -> Path:
-    """Make a folder, and return it."""
+def create_folder(folder: Path) -> Path:
+    """Create a folder with its parents, and return it."""
     folder.mkdir(parents=True, exist_ok=True)
     return folder
 
 
 def linux_file(name: str) -> str:
-    """Return a file of `linux/` with version and date in their places."""
+    """Return a file of `linux/` with version and date filled in."""
     date = time.strftime("%Y-%m-%d", time.gmtime(release_time()))
     text = (HERE / "linux" / name).read_text(encoding="utf-8")
     return text.replace("@VERSION@", version()).replace("@DATE@", date)
 
 
-def lay_out(tree: Path) -> None:
-    """Put every file of the Debian package where it is installed."""
+def create_debian_tree(tree: Path) -> None:
+    """Create the file tree that the Debian package installs."""
     shutil.copytree(FROZEN, tree / "usr/lib/trex-studio", symlinks=True)
     program_folder = tree / "usr/lib/trex-studio"
     for name in debian_libraries(program_folder):
         (program_folder / "_internal" / name).unlink()
     for path in program_folder.glob("licences/Debian-*"):
-        path.unlink()  # of those libraries
+        path.unlink()  # licence of a removed library
     for name in PROGRAMS:
-        make(tree / "usr/bin").joinpath(name).symlink_to(f"../lib/trex-studio/{name}")
+        create_folder(tree / "usr/bin").joinpath(name).symlink_to(f"../lib/trex-studio/{name}")
         write(tree / f"usr/share/man/man1/{name}.1.gz", manual_page(name))
     share = tree / "usr/share"
     write(share / "applications/trex-studio.desktop", linux_file("trex-studio.desktop"))
@@ -467,12 +497,15 @@ def lay_out(tree: Path) -> None:
 
 
 def build_deb() -> list[Path]:
-    """Make the Debian package from the frozen folder, without the libraries that Debian has."""
+    """Build the Debian package from the frozen folder.
+
+    Depends on Debian's packages instead of containing the libraries that Debian provides.
+    """
     require_programs({"dpkg-deb": "dpkg", "objdump": "binutils"})
     freeze()
     tree = BUILD / "deb"
     shutil.rmtree(tree, ignore_errors=True)
-    lay_out(tree)
+    create_debian_tree(tree)
     files = [path for path in tree.rglob("*") if path.is_file() and not path.is_symlink()]
     for path in tree.rglob("*"):
         if not path.is_symlink():
@@ -504,11 +537,18 @@ CHROOT = """
 mount -t proc proc "$0/proc" && mount --bind /dev "$0/dev" && mount --bind /dev/pts "$0/dev/pts" &&
 exec chroot "$0" "$@"
 """
-"""Run a command in the root $0. The mounts end with it: they are in a name space of their own."""
+"""Shell script that runs a command in the root folder $0.
+
+`unshare --mount` runs the script in its own namespace. The mounts end with the command.
+"""
 
 
 def check_deb(files: Sequence[Path], steps: Steps) -> None:
-    """Validate the package; install, use and remove it in a bare Debian."""
+    """Validate the package, and use it in a minimal Debian.
+
+    Raises:
+        BootstrapError: the system is not Debian, or the user is not root.
+    """
     require_programs(
         {
             "lintian": "lintian",
@@ -521,9 +561,9 @@ def check_deb(files: Sequence[Path], steps: Steps) -> None:
     system = Path("/etc/os-release").read_text(encoding="utf-8")
     release = re.search(r"^VERSION_CODENAME=(\S+)$", system, re.MULTILINE)
     if os.geteuid() != 0 or release is None:
-        raise BootstrapError("Only root can make a bare Debian, and only on Debian.")
+        raise BootstrapError("Run this check as root on Debian: it creates a minimal Debian.")
     for file in files:
-        with steps.place("deb") as folder:
+        with steps.group("deb") as folder:
             tree, root = BUILD / "deb", folder / "root"
             desktop_file = tree / "usr/share/applications/trex-studio.desktop"
             with steps.step("lintian"):
@@ -532,7 +572,7 @@ def check_deb(files: Sequence[Path], steps: Steps) -> None:
                 run(["desktop-file-validate", desktop_file])
             with steps.step("appstreamcli"):
                 run(["appstreamcli", "validate-tree", "--no-net", tree])
-            with steps.required("make a bare Debian"):
+            with steps.required("create a minimal Debian"):
                 run(["debootstrap", "--variant=minbase", release[1], root])
             prefix = ("unshare", "--mount", "sh", "-c", CHROOT, str(root))
             installed = Installed(root / "usr/bin", root / "root", root, prefix)
@@ -541,7 +581,7 @@ def check_deb(files: Sequence[Path], steps: Steps) -> None:
             with steps.required("install"):
                 shutil.copy(file, root)
                 run([*apt, "install", f"/{file.name}"], environment)
-            use(installed, steps)
+            check_programs(installed, steps)
             with steps.step("remove"):
                 run([*apt, "purge", "trex-studio"], environment)
                 files_and_own_folders = (
@@ -558,22 +598,22 @@ def check_deb(files: Sequence[Path], steps: Steps) -> None:
 
 
 def build_windows() -> list[Path]:
-    """Make the installer: frozen here on Windows, and in Wine elsewhere."""
+    """Build the installer. The program is frozen on Windows, or under Wine."""
     frozen = FROZEN
     if sys.platform == "win32":
         freeze()
     else:
         require_programs(WINE_PROGRAMS)
         frozen = BUILD / "windows" / "frozen" / FROZEN.name
-        say("Freezing the program for Windows under Wine; this takes some minutes.")
+        say("Freezing the program for Windows under Wine. This takes some minutes.")
         freeze_in_wine(Wine(WINE_PREFIX), build_wheel()[0], frozen, release_time())
     file = DIST / f"trex-studio-{version()}-windows-x64.exe"
-    make_installer(frozen, version(), file)
+    build_installer(frozen, version(), file)
     return [file]
 
 
 def check_windows(files: Sequence[Path], steps: Steps) -> None:
-    """Install, use and remove it: on Windows here, and elsewhere under Wine."""
+    """Check the installer on Windows or under Wine."""
     windows = Windows() if sys.platform == "win32" else Wine(WINE_PREFIX)
     for file in files:
         check_installer(file, version(), windows, steps)
@@ -587,10 +627,10 @@ class Installed:
     """Installed programs and how to run them.
 
     Attributes:
-        folder: holds the programs.
-        home: an empty folder of the user, where they may write.
-        root: the root folder that they see.
-        prefix: runs a command in that root.
+        folder: contains the programs.
+        home: home folder of the programs, initially empty.
+        root: root folder of the programs, below which all their files are.
+        prefix: start of a command that runs in `root`.
     """
 
     folder: Path
@@ -600,7 +640,7 @@ class Installed:
 
     @property
     def environment(self) -> dict[str, str]:
-        """What the programs find in their environment: nothing of this one."""
+        """Environment of the programs. Contains no variable of the current process."""
         return {
             "HOME": self.path_inside(self.home),
             "LANG": "C.UTF-8",
@@ -616,7 +656,10 @@ class Installed:
         return [self.folder / name for name in PROGRAMS]
 
     def command(self, program: str, *arguments: str | Path) -> list[str]:
-        """Return the command that runs a program; paths are written as it sees them."""
+        """Return the command that runs a program.
+
+        Paths among the arguments are converted to paths below `root`.
+        """
         words = [self.folder / program, *arguments]
         return [
             *self.prefix,
@@ -624,14 +667,14 @@ class Installed:
         ]
 
     def run(
-        self, program: str, *arguments: str | Path, port: str = "", timeout: float = PATIENCE_S
+        self, program: str, *arguments: str | Path, port: str = "", timeout: float = TIMEOUT_S
     ) -> str:
         environment = {**self.environment, "TREX_PORT": port} if port else self.environment
         return run(self.command(program, *arguments), environment, timeout, cwd=self.home)
 
     @contextmanager
     def start(self, program: str, *arguments: str | Path) -> Iterator["subprocess.Popen[bytes]"]:
-        """Run a program beside the steps."""
+        """Run a program during the block, then kill it."""
         pipe = subprocess.PIPE
         with subprocess.Popen(
             self.command(program, *arguments),
@@ -648,36 +691,38 @@ class Installed:
 
 @contextmanager
 def simulator(installed: Installed, *arguments: str) -> Iterator[tuple[str, SimulatedBoard]]:
-    """Run `trex-sim`; gives the port and the board."""
+    """Run `trex-sim`, and yield its port and board."""
     with installed.start("trex-sim", *arguments) as process:
         yield simulated_board(process)
 
 
-def use(installed: Installed, steps: Steps) -> None:
-    """Do what a user does, with the simulated board."""
-    use_command_line(installed, steps)
+def check_programs(installed: Installed, steps: Steps) -> None:
+    """Use every program with the simulated board."""
+    check_command_line(installed, steps)
     with steps.step("demonstration in the window"):
         pictures = installed.home / "pictures"
-        installed.run("trex-gui", "--tour", pictures, timeout=TOUR_S)
+        installed.run("trex-gui", "--tour", pictures, timeout=TOUR_TIMEOUT_S)
         names = {path.name for path in pictures.glob("*.png")}
         require({"motors-light.png", "aracnaRobot-dark.png"} <= names, f"only {sorted(names)}")
-    with steps.step("the stop in the window was recorded"):
+    with steps.step("a stop in the window is recorded"):
         recordings = [path.read_bytes() for path in installed.home.rglob("*_stop.trexrec")]
         require(recordings, "there is no recording")
         for recording in recordings:
-            require(recording.startswith(b"SQLite format 3"), "a recording is no database")
+            require(recording.startswith(b"SQLite format 3"), "a recording is not a database")
     with steps.step("the window is killed: the motors stop"):
         kill_window(installed, installed.home / "other_pictures")
 
 
-def use_command_line(installed: Installed, steps: Steps) -> None:
-    """Do with the command line what a user does, with the simulated board."""
+def check_command_line(installed: Installed, steps: Steps) -> None:
+    """Use the command line with the simulated board."""
     with steps.step("versions and help"):
         for program in PROGRAMS:
-            require(version() in installed.run(program, "--version"), f"{program} is another one")
+            require(
+                version() in installed.run(program, "--version"), f"{program} has another version"
+            )
             installed.run(program, "--help")
     with steps.step("use the simulated board"), simulator(installed) as (port, board):
-        use_board(partial(installed.run, "trexcmd", port=port), installed.home, steps, board)
+        check_board(partial(installed.run, "trexcmd", port=port), installed.home, steps, board)
         with steps.step("trexcmd is killed: the motors stop"):
             kill_command(installed, port, board)
     for name, option in (("TCP", "--tcp"), ("RFC 2217", "--rfc2217")):
@@ -685,11 +730,11 @@ def use_command_line(installed: Installed, steps: Steps) -> None:
             steps.step(f"connect over {name}"),
             simulator(installed, option, "127.0.0.1:0") as (port, _),
         ):
-            require("TReX" in installed.run("trexcmd", "status", port=port), "no TReX")
+            require("TReX" in installed.run("trexcmd", "status", port=port), "no TReX found")
 
 
-def use_without_window(installed: Installed, environment: Path, steps: Steps) -> None:
-    """Do with `trexcmd`, `trex-sim` and the library what is done on a robot."""
+def check_without_window(installed: Installed, environment: Path, steps: Steps) -> None:
+    """Use an installation without the window, as on a robot."""
     (packages,) = environment.glob("lib/*/site-packages")
     with steps.step("size"):
         top = [path for path in packages.iterdir() if not path.name.startswith(("pip", "setup"))]
@@ -697,18 +742,19 @@ def use_without_window(installed: Installed, environment: Path, steps: Steps) ->
         size = sum(file.stat().st_size for file in files if file.suffix != ".pyc") / 1e6
         count = sum(path.suffix == ".dist-info" for path in top) - 1
         say(f"  {size:.1f} MB without compiled files, and {count} packages besides ours")
-        require(size <= MOST_MB and count <= MOST_PACKAGES, "that is too much")
-    with steps.step("the window says what it needs"):
-        told = subprocess.run(
+        is_small = size <= MAX_MB and count <= MAX_PACKAGES
+        require(is_small, f"more than {MAX_MB} MB, or more than {MAX_PACKAGES} packages")
+    with steps.step("trex-gui names the missing extra"):
+        process = subprocess.run(
             installed.command("trex-gui"),
             env=installed.environment,
             capture_output=True,
             text=True,
-            timeout=PATIENCE_S,
+            timeout=TIMEOUT_S,
             check=False,
         )
-        require(told.returncode and "trex-gui[gui]" in told.stderr, told.stderr)
-    use_command_line(installed, steps)
+        require(process.returncode and "trex-gui[gui]" in process.stderr, process.stderr)
+    check_command_line(installed, steps)
     with steps.step("survey"), simulator(installed) as (port, _):
         installed.run("trexcmd", "survey", installed.home / "survey.txt", port=port)
     examples = packages / "trex_gui/_resources/examples"
@@ -719,23 +765,23 @@ def use_without_window(installed: Installed, environment: Path, steps: Steps) ->
 
 
 def kill_command(installed: Installed, port: str, board: SimulatedBoard) -> None:
-    """Kill `trexcmd` while it drives a motor."""
+    """Require that the motor stops after `trexcmd` is killed."""
     with installed.start("trexcmd", "motor", "--port", port, "1", "40") as process:
-        wait_until(lambda: not board.is_at_rest, "motor 1 does not run")
+        wait_until(lambda: not board.is_at_rest, "motor 1 did not run")
         process.kill()
         wait_until(lambda: board.is_at_rest, "motor 1 was not stopped")
 
 
 def kill_window(installed: Installed, pictures: Path) -> None:
-    """Kill the window while the motors of its demonstration run, and look at the board then.
+    """Require that motors stop after the window is killed.
 
-    The simulator would end with the window: the pipe to it is kept open here.
+    The simulator ends when its pipes are closed. This function holds its pipes open.
     """
     log_before = guardian_log(installed)
     with installed.start("trex-gui", "--tour", pictures) as window:
-        wait_until(lambda: list(pictures.glob("*.png")), "no picture is written", TOUR_S)
-        found = [pid for pid in children(window.pid) if "simulator" in command_line(pid)]
-        require(found, "the window has no simulator")
+        wait_until(lambda: list(pictures.glob("*.png")), "no picture was written", TOUR_TIMEOUT_S)
+        found = [pid for pid in child_processes(window.pid) if "simulator" in command_line(pid)]
+        require(found, "the window has not started a simulator")
         files = Path("/proc") / str(found[0]) / "fd"
         with (files / "0").open("wb") as writing, (files / "1").open("rb") as reading:
             window.kill()
@@ -743,17 +789,17 @@ def kill_window(installed: Installed, pictures: Path) -> None:
             wait_until(lambda: board.is_at_rest, "the motors were not stopped")
             wait_until(
                 lambda: " confirmed:" in guardian_log(installed).removeprefix(log_before),
-                "the guardian confirms no stop",
+                "the guardian did not confirm a stop",
             )
 
 
 def guardian_log(installed: Installed) -> str:
-    """Return which motors the guardian processes have stopped, in lines."""
+    """Return the logs of all guardian processes. Their lines name the stopped motors."""
     return "".join(path.read_text() for path in installed.home.rglob("guardian.log"))
 
 
-def children(parent: int) -> list[int]:
-    """Return the processes that a process has started."""
+def child_processes(parent: int) -> list[int]:
+    """Return the IDs of the child processes of a process."""
     task = Path(f"/proc/{parent}/task")
     return [int(word) for path in task.glob("*/children") for word in path.read_text().split()]
 
@@ -767,14 +813,14 @@ def command_line(pid: int) -> str:
 
 @dataclass(frozen=True)
 class Target:
-    """A kind of package.
+    """Kind of package.
 
     Attributes:
-        build: makes its files in `dist/` and returns them.
-        check: installs, uses and removes them, step by step.
-        system: where it can be made, by the beginning of `sys.platform`.
-        checked_on: where it can be checked.
-        is_default: whether it is made if none is named.
+        build: builds the files in `dist/` and returns their paths.
+        check: installs, uses and removes the files, step by step.
+        system: systems that can build the files, by the start of `sys.platform`.
+        checked_on: systems that can check the files, likewise.
+        is_default: returns whether to build the files if the user names no kind.
     """
 
     build: Callable[[], list[Path]]
@@ -793,35 +839,37 @@ TARGETS = {
         check_windows,
         ("linux", "win32"),
         ("linux", "win32"),
-        lambda: sys.platform == "win32",  # on Linux that installs another system
+        lambda: sys.platform == "win32",  # on Linux the build installs Wine
     ),
 }
 
 
 def write_checksums() -> None:
-    """List the checksum of every file of this version in `dist/`."""
+    """Write the SHA-256 sums of this version's files."""
     files = sorted(path for path in DIST.iterdir() if version() in path.name)
     lines = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in files]
     (DIST / CHECKSUMS).write_text("".join(lines), encoding="ascii")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Make packages and return the status."""
-    parser = argparse.ArgumentParser(description="Make what users install, in dist/.")
-    parser.add_argument("--check", action="store_true", help="try them as a user does")
-    parser.add_argument("targets", nargs="*", metavar="|".join(TARGETS), help="all of this system")
+    """Build the packages and return the exit status."""
+    parser = argparse.ArgumentParser(description="Build the packages for users in dist/.")
+    parser.add_argument("--check", action="store_true", help="use them as a user does")
+    parser.add_argument(
+        "targets", nargs="*", metavar="|".join(TARGETS), help="default: all of this system"
+    )
     options = parser.parse_args(arguments)
     if unknown := set(options.targets) - TARGETS.keys():
         parser.error(f"no such package: {', '.join(sorted(unknown))}")
     here = [name for name, target in TARGETS.items() if sys.platform.startswith(target.system)]
     if foreign := set(options.targets) - set(here):
-        parser.error(f"cannot be made on this system: {', '.join(sorted(foreign))}")
+        parser.error(f"cannot be built on this system: {', '.join(sorted(foreign))}")
     wanted = options.targets or [name for name in here if TARGETS[name].is_default()]
     DIST.mkdir(exist_ok=True)
     steps, built = Steps(), dict[str, list[Path]]()
     for name in here:
         if name in wanted:
-            with steps.step(f"make {name}"):
+            with steps.step(f"build {name}"):
                 built[name] = TARGETS[name].build()
     write_checksums()
     for file in [file for files in built.values() for file in files]:
@@ -831,7 +879,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             with steps.step(f"check {name}"):
                 TARGETS[name].check(files, steps)
         else:
-            say(f"{name} cannot be tried on this system.")
+            say(f"{name} cannot be checked on this system.")
     if steps.failed:
         say("\nFailed:\n" + "\n".join(f"  {name}" for name in steps.failed))
     return 1 if steps.failed else 0

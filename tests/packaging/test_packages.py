@@ -276,7 +276,7 @@ def test_checksums_list_files_of_this_version(
 
 def test_failed_step_is_reported_and_the_next_step_runs(capsys: pytest.CaptureFixture[str]) -> None:
     steps, is_skipped = packages.Steps(), True
-    with steps.place("here"):
+    with steps.group("here"):
         with steps.step("read"):
             packages.require(False, "no reply")
         with steps.step("write"):
@@ -320,8 +320,8 @@ def test_failed_package_does_not_prevent_other_checksums(
     assert packages.main(["--check"]) == 1
     assert package.name in (tmp_path / "SHA256SUMS").read_text()
     output = capsys.readouterr().out
-    assert "third cannot be tried on this system." in output
-    assert output.endswith("Failed:\n  make first\n  check second\n")
+    assert "third cannot be checked on this system." in output
+    assert output.endswith("Failed:\n  build first\n  check second\n")
 
 
 def test_unknown_package_or_system_is_a_usage_error(
@@ -331,7 +331,7 @@ def test_unknown_package_or_system_is_a_usage_error(
     set_targets(monkeypatch, tmp_path, rover=target)
     assert packages.main([]) == 0
     for name, text in (
-        ("rover", "cannot be made on this system: rover"),
+        ("rover", "cannot be built on this system: rover"),
         ("tent", "no such package: tent"),
     ):
         with pytest.raises(SystemExit) as exit_info:
@@ -357,7 +357,7 @@ def test_wheel_is_checked_at_least_with_the_current_python(
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setenv("PYENV_ROOT", str(tmp_path))
     number = f"3.{sys.version_info.minor}"
-    assert packages.pythons() == {number: Path(sys.executable)}
+    assert packages.find_pythons() == {number: Path(sys.executable)}
 
 
 @pytest.mark.parametrize(

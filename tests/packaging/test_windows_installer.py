@@ -38,7 +38,7 @@ def installer(tmp_path_factory: pytest.TempPathFactory) -> Path:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(b"placeholder")
     file = folder / "installer.exe"
-    package.make_installer(frozen, __version__, file)
+    package.build_installer(frozen, __version__, file)
     return file
 
 
