@@ -1,9 +1,10 @@
-"""Bring the Linguist files of `resources/translations` up to date, and compile them.
+"""Update and compile the Linguist files of `resources/translations`.
 
-The texts are those of each call of `tr` and `tr_noop` in the program, and what users see of the
-parameter table. `lupdate` of PySide6 6.11 misses some calls in expressions, so the calls are found
-in the syntax tree. A text has one translation wherever it is used: all are
-in one context. `python3 packaging/bootstrap.py translations` runs this.
+    python3 packaging/bootstrap.py translations
+
+The texts come from the calls of `tr` and `tr_noop` in the program, and from the parameter table.
+`lupdate` of PySide6 6.11 misses some calls in expressions, so this script searches the syntax tree.
+All texts are in one context: a text has the same translation wherever it is used.
 """
 
 import ast
@@ -23,11 +24,10 @@ PARAMETERS = ROOT / "resources" / "trex_parameters.toml"
 FOLDER = ROOT / "resources" / "translations"
 
 CONTEXT = "trex_gui"
-MARKS = {"tr", "tr_noop"}
-"""Functions whose first argument is a text."""
+MARKS = {"tr", "tr_noop"}  # functions whose first argument is a text
 
-PARAMETER_TEXTS = ("name", "description", "zero", "doubt")
-ONLY_PLURALS = "en"
+PARAMETER_TEXTS = ("name", "description", "zero", "doubt")  # keys of the table
+ONLY_PLURALS = "en"  # language with translations of plural forms only
 PLURAL_FORMS = {"en": 2, "de": 2, "fr": 2}
 
 HEAD = """<?xml version="1.0" encoding="utf-8"?>
@@ -41,21 +41,20 @@ TAIL = "</context>\n</TS>\n"
 
 @dataclass(frozen=True)
 class Text:
-    """A text of the program; a comment tells uses apart that need other translations."""
+    """Text of the program. `comment` distinguishes uses that need different translations."""
 
     source: str
     comment: str = ""
     is_plural: bool = field(default=False, compare=False)
 
 
-Translations = dict[Text, tuple[str, ...]]
-"""One translation, or one for each plural form; none while it is missing."""
+Translations = dict[Text, tuple[str, ...]]  # values: one string, or one for each plural form
 
 
 def texts_of_module(source: str) -> Iterator[Text]:
-    """Yield the texts that a module marks, in their order."""
+    """Yield the translatable texts in a module."""
     if not any(f"{mark}(" in source for mark in MARKS):
-        return  # most modules have none, and to parse them takes its time
+        return  # true of most modules, and parsing takes time
     for node in ast.walk(ast.parse(source)):
         if not isinstance(node, ast.Call):
             continue
@@ -64,10 +63,10 @@ def texts_of_module(source: str) -> Iterator[Text]:
         name = function.id if isinstance(function, ast.Name) else name
         if name not in MARKS or not node.args:
             continue
-        words = [arg.value if isinstance(arg, ast.Constant) else None for arg in node.args]
-        if isinstance(words[0], str):
-            comment = words[1] if len(words) > 1 else None
-            yield Text(words[0], comment if isinstance(comment, str) else "", len(words) > 2)
+        values = [arg.value if isinstance(arg, ast.Constant) else None for arg in node.args]
+        if isinstance(values[0], str):
+            comment = values[1] if len(values) > 1 else None
+            yield Text(values[0], comment if isinstance(comment, str) else "", len(values) > 2)
 
 
 def texts_of_parameters(table: str) -> Iterator[Text]:
@@ -81,7 +80,7 @@ def texts_of_parameters(table: str) -> Iterator[Text]:
 
 
 def program_texts() -> list[Text]:
-    """Return every text of the program once, by file."""
+    """Return every text of the program once."""
     found = dict.fromkeys(
         text
         for path in sorted(PROGRAM.rglob("*.py"))
@@ -92,7 +91,7 @@ def program_texts() -> list[Text]:
 
 
 def read(path: Path) -> Translations:
-    """Return what is translated in a Linguist file."""
+    """Return the finished translations of a Linguist file."""
     found: Translations = {}
     for message in ElementTree.parse(path).getroot().iter("message"):
         text = Text(message.findtext("source") or "", message.findtext("comment") or "")
@@ -106,7 +105,7 @@ def read(path: Path) -> Translations:
 
 
 def write(path: Path, texts: Iterable[Text], known: Translations) -> int:
-    """Write a Linguist file with these texts; return how many are not translated."""
+    """Write a Linguist file. Return the number of missing translations."""
     language = path.stem.rpartition("_")[2]
     missing = 0
     lines = [HEAD.format(language=language, context=CONTEXT)]
@@ -131,7 +130,10 @@ def write(path: Path, texts: Iterable[Text], known: Translations) -> int:
 
 
 def update(path: Path, texts: Iterable[Text]) -> int:
-    """Give a file the present texts with the translations it has; return how many lack one."""
+    """Update the texts of a file. Return the number of missing translations.
+
+    Translations of removed texts are lost.
+    """
     only_plurals = path.stem.endswith(f"_{ONLY_PLURALS}")
     wanted = [text for text in texts if text.is_plural or not only_plurals]
     return write(path, wanted, read(path))
@@ -147,7 +149,7 @@ def main() -> int:
     for path in sorted(FOLDER.glob("*.ts")):
         missing = update(path, texts)
         compile_file(path)
-        print(f"{path.name}: {missing} of {len(texts)} texts are not translated")
+        print(f"{path.name}: {missing} of {len(texts)} translations are missing")
     return 0
 
 
