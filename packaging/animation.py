@@ -1,6 +1,7 @@
-"""Record the animation of the README: connecting to a demo board, its channels, driving, a stop.
+"""Record the animation of the README, as an animated PNG.
 
-It plays in the window itself, with a drawn mouse pointer, and ends as an animated PNG.
+The script connects a demo board in the real window, shows its channels, drives its motors and
+stops them. A mouse pointer is drawn over the frames.
 """
 
 import struct
@@ -23,16 +24,16 @@ from trex_gui.ui.program import Program
 
 FILE = ROOT / "packaging" / "docs" / "demo.png"
 SIZE = QSize(1060, 660)
-RATE = 8  # frames a second
+RATE = 8  # frames per second
 COLOURS = 250
-LARGEST = 1_500_000  # bytes
-GLIDE = 5  # frames of a movement of the pointer
+MAX_SIZE = 1_500_000  # bytes
+GLIDE_FRAMES = 5  # duration of a movement of the pointer
 LEFT = Qt.MouseButton.LeftButton
-ARROW = [(0, 0), (0, 17), (4, 13), (7, 20), (10, 19), (7, 12), (13, 12)]  # pixels
+ARROW = [(0, 0), (0, 17), (4, 13), (7, 20), (10, 19), (7, 12), (13, 12)]  # corners
 
 
 class Film(QObject):
-    """Plays the script, one step a frame, and records a frame after each step."""
+    """Plays the script and records a frame per step."""
 
     finished = Signal()
 
@@ -75,16 +76,16 @@ class Film(QObject):
         while manager.current.link is not ConnectionState.CONNECTED:
             yield
         yield from self._wait(2.0)
-        yield from self._show(1)
+        yield from self._show_page(1)
         yield from self._wait(2.5)
-        yield from self._show(2)
+        yield from self._show_page(2)
         yield from self._wait(0.5)
         yield from self._click("runButton")
         yield from self._wait(0.5)
         yield from self._drive()
         yield from self._click("stopButton")
         yield from self._wait(1.5)
-        yield from self._show(0)
+        yield from self._show_page(0)
         yield from self._wait(1.5)
 
     def _drive(self) -> Iterator[None]:
@@ -108,14 +109,14 @@ class Film(QObject):
         children = self._window.findChildren(QWidget, name)
         return next(child for child in children if child.isVisible())
 
-    def _point(self, widget: QWidget, place: QPoint) -> None:
-        self._pointer = QPointF(widget.mapTo(self._window, place))
+    def _point(self, widget: QWidget, position: QPoint) -> None:
+        self._pointer = QPointF(widget.mapTo(self._window, position))
 
-    def _glide(self, widget: QWidget, place: QPoint) -> Iterator[None]:
+    def _glide(self, widget: QWidget, position: QPoint) -> Iterator[None]:
         start = self._pointer
-        end = QPointF(widget.mapTo(self._window, place))
-        for frame in range(1, GLIDE + 1):
-            self._pointer = start + (end - start) * frame / GLIDE
+        end = QPointF(widget.mapTo(self._window, position))
+        for frame in range(1, GLIDE_FRAMES + 1):
+            self._pointer = start + (end - start) * frame / GLIDE_FRAMES
             yield
 
     def _click(self, name: str) -> Iterator[None]:
@@ -124,47 +125,49 @@ class Film(QObject):
         QTest.mouseClick(button, LEFT)
         yield
 
-    def _show(self, number: int) -> Iterator[None]:
-        """Click a place in the column at the left."""
+    def _show_page(self, number: int) -> Iterator[None]:
+        """Click a page in the bar at the left. Numbers start at 0."""
         bar = self._program.workspace("trex").pages.bar
-        place = bar.tabRect(number).center()
-        yield from self._glide(bar, place)
-        QTest.mouseClick(bar, LEFT, Qt.KeyboardModifier.NoModifier, place)
+        position = bar.tabRect(number).center()
+        yield from self._glide(bar, position)
+        QTest.mouseClick(bar, LEFT, Qt.KeyboardModifier.NoModifier, position)
         yield
 
 
 def save(frames: list[QImage], path: Path) -> None:
-    """Save frames as an animated PNG. Pixels that a frame does not change are transparent in it.
+    """Save frames as an animated PNG. Unchanged pixels of a frame are transparent.
 
     Ref: PNG specification, third edition, 11.3.6 (animation).
     """
     images = [pixels(frame) for frame in frames]
     table = common_colours(np.vstack(images[:: len(images) // 8]), COLOURS)
-    films = [indexed(one, table) for one in images]
-    height, width = films[0].shape
+    indices = [indexed(image, table) for image in images]
+    height, width = indices[0].shape
     png = [
         b"\x89PNG\r\n\x1a\n",
         _chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)),
-        _chunk(b"acTL", struct.pack(">II", len(films), 0)),
+        _chunk(b"acTL", struct.pack(">II", len(indices), 0)),
         _chunk(
             b"PLTE",
             b"".join(bytes([c >> 16 & 255, c >> 8 & 255, c & 255]) for c in [*table.tolist(), 0]),
         ),
         _chunk(b"tRNS", bytes([255] * len(table) + [0])),
     ]
-    numbers = count()
-    for number, film in enumerate(films):
-        changed = film != films[number - 1] if number else np.full(film.shape, True)
+    sequence_numbers = count()
+    for number, frame in enumerate(indices):
+        changed = frame != indices[number - 1] if number else np.full(frame.shape, True)
         rows, columns = np.flatnonzero(changed.any(1)), np.flatnonzero(changed.any(0))
         top, bottom = (rows[0], rows[-1] + 1) if rows.size else (0, 1)
         left, right = (columns[0], columns[-1] + 1) if columns.size else (0, 1)
-        part = np.where(changed, film, len(table)).astype(np.uint8)[top:bottom, left:right]
+        part = np.where(changed, frame, len(table)).astype(np.uint8)[top:bottom, left:right]
         size = (right - left, bottom - top, left, top)
-        control = struct.pack(">IIIIIHHBB", next(numbers), *size, 1, RATE, 0, int(number > 0))
+        control = struct.pack(
+            ">IIIIIHHBB", next(sequence_numbers), *size, 1, RATE, 0, int(number > 0)
+        )
         data = zlib.compress(np.pad(part, ((0, 0), (1, 0))).tobytes(), 9)
         png.append(_chunk(b"fcTL", control))
         if number:
-            png.append(_chunk(b"fdAT", struct.pack(">I", next(numbers)) + data))
+            png.append(_chunk(b"fdAT", struct.pack(">I", next(sequence_numbers)) + data))
         else:
             png.append(_chunk(b"IDAT", data))
     path.write_bytes(b"".join([*png, _chunk(b"IEND", b"")]))
@@ -185,7 +188,7 @@ def main() -> int:
         save(film.frames, FILE)
     seconds, size = len(film.frames) / RATE, FILE.stat().st_size
     print(f"{FILE}: {seconds:.1f} s, {size / 1e6:.2f} MB")
-    return 0 if size <= LARGEST else 1
+    return 0 if size <= MAX_SIZE else 1
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
-"""Make the pictures of the help: those that its pages show, of a connected demo board.
+"""Create the pictures of the help, with a connected demo board.
 
-`digests.json` beside them says what each shows; `tests/test_app.py` compares it with the window.
+Also writes `digests.json`: picture name without colour scheme → digest of its constant texts.
+`tests/test_app.py` compares these digests with the window.
 """
 
 import hashlib
@@ -43,15 +44,15 @@ SIZE = QSize(1060, 700)
 
 
 def fixed_texts(widget: QWidget) -> Iterator[str]:
-    """Yield what a widget shows at any time: names of its parts, texts of labels and buttons.
+    """Yield the constant names and texts of a widget.
 
-    Measurements are left out: labels of pages with a name, numbers. Of pages in one place only the
-    current one counts, and neither docks nor dialogs in front do.
+    Omits measurements: digits, and labels of a page that have an object name. Also omits hidden
+    pages of stacks, docks, and child windows.
     """
     if widget.objectName() and not widget.objectName().startswith("qt_"):
         yield f"{type(widget).__name__} {widget.objectName()}"
     yield from filter(None, (re.sub(r"[^\w ]|\d", "", text).strip() for text in _texts(widget)))
-    # Not `children`: it ends the wrappers of actions.
+    # `children` would invalidate the Python wrappers of actions.
     direct = Qt.FindChildOption.FindDirectChildrenOnly
     for child in widget.findChildren(QWidget, options=direct):
         if child.isWindow() or isinstance(child, QDockWidget) or child.objectName() == "focusFrame":
@@ -104,26 +105,26 @@ class HelpTour(Tour):
 
 
 def wanted_pictures() -> set[str]:
-    """Return the pictures that the pages and the README show, without their schemes."""
+    """Return the names of linked pictures, without colour scheme."""
     pages = [*HELP.glob("*.md"), HELP.parent.parent / "README.md"]
     link = re.compile(r"pictures/(\S+?)-light\.png")
     return {name for page in pages for name in link.findall(page.read_text(encoding="utf-8"))}
 
 
 def pixels(image: QImage) -> np.ndarray:
-    """Return the pixels as rows of 0xFFRRGGBB."""
+    """Return the pixels of an image as rows of 0xFFRRGGBB."""
     plain = image.convertToFormat(QImage.Format.Format_RGB32)
     return np.frombuffer(plain.constBits(), np.uint32).reshape(plain.height(), plain.width()).copy()
 
 
-def common_colours(image: np.ndarray, number: int) -> np.ndarray:
-    """Return the most frequent colours of an image."""
+def common_colours(image: np.ndarray, count: int) -> np.ndarray:
+    """Return the `count` most frequent colours of an image."""
     colours, counts = np.unique(image, return_counts=True)
-    return colours[np.argsort(-counts, kind="stable")[:number]]
+    return colours[np.argsort(-counts, kind="stable")[:count]]
 
 
 def indexed(image: np.ndarray, table: np.ndarray) -> np.ndarray:
-    """Return the index of the nearest colour in `table` for each pixel."""
+    """Return the index of each pixel's nearest colour in `table`."""
     colours, inverse = np.unique(image, return_inverse=True)
 
     def parts(values: np.ndarray) -> np.ndarray:
@@ -134,7 +135,7 @@ def indexed(image: np.ndarray, table: np.ndarray) -> np.ndarray:
 
 
 def with_few_colours(image: QImage) -> QImage:
-    """Return the image with 256 colours, which takes a third of the space."""
+    """Return an image with at most 256 colours. Its file has a third of the size."""
     image_pixels = pixels(image)
     table = common_colours(image_pixels, 256)
     size = (image.width(), image.height(), image.width())
@@ -146,7 +147,7 @@ def with_few_colours(image: QImage) -> QImage:
 
 @contextmanager
 def demonstration() -> Iterator[tuple[QApplication, Program]]:
-    """Open the window in English, as at a first start, without the panels of the demos."""
+    """Open the window in English, without the panels of the demos."""
     application = QApplication([])
     install_translations(application, ENGLISH)
     theme().install(application)
@@ -169,14 +170,14 @@ def main() -> int:
         tour.start()
         if application.exec() != 0 or tour.digests.keys() != names:
             missing = sorted(names - tour.digests.keys())
-            sys.stderr.write(f"The tour was not completed. Missing: {missing}\n")
+            sys.stderr.write(f"The tour is not complete. Missing pictures: {missing}\n")
             return 1
         PICTURES.mkdir(exist_ok=True)
-        made = {path.name for path in Path(folder).glob("*.png")}
-        for name in made:
+        written = {path.name for path in Path(folder).glob("*.png")}
+        for name in written:
             with_few_colours(QImage(str(Path(folder) / name))).save(str(PICTURES / name), "PNG", 0)
         for path in PICTURES.glob("*.png"):
-            if path.name not in made:
+            if path.name not in written:
                 path.unlink()
     digests = dict(sorted(tour.digests.items()))
     (PICTURES / "digests.json").write_text(json.dumps(digests, indent=1) + "\n", encoding="utf-8")
