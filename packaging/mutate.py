@@ -1,10 +1,11 @@
-"""Measure what the tests catch: change the program in one place at a time and run them.
+"""Measure which changes of the program its tests detect.
 
     python3 packaging/bootstrap.py mutate [-- --most 70 --keys EARLIER.json --survivors]
 
-The changes are those of cosmic-ray. Which ones are tried follows from a hash of each, so that the
-same ones are tried again after the program or its tests have changed elsewhere. `mutate.toml` says
-which packages are changed and which tests must notice.
+Changes one place at a time with the operators of cosmic-ray, and runs the tests. A hash of each
+change selects the sample, so that a later run tries the same changes again, even if the program or
+its tests have changed elsewhere. `mutate.toml` lists the packages to change, and the tests that
+must detect the changes.
 """
 
 import argparse
@@ -36,11 +37,13 @@ COPIED = ("trex_gui", "tests", "resources", "packaging", "pyproject.toml", "READ
 
 @dataclass(frozen=True)
 class Mutant:
-    """One change of the program.
+    """Change of the program in one place.
 
     Attributes:
-        key: the same for the same change, wherever else its file has changed.
-        nth: which of the operator's places in the file it is.
+        key: hash of the change. Does not depend on other lines of the file.
+        line: line number in the file, from 1.
+        nth: index of the place among all places in the file that the operator can change.
+        text: the line before the change.
     """
 
     key: str
@@ -54,7 +57,7 @@ class Mutant:
 
 @dataclass
 class Package:
-    """Part of the program, and the tests that have to notice a change of it."""
+    """Part of the program, with the tests that must detect its changes."""
 
     name: str
     paths: list[str]
@@ -62,7 +65,7 @@ class Package:
 
 
 def mutants_of(root: Path, package: Package, operators: Sequence[str]) -> Iterator[Mutant]:
-    """Return every change of a package."""
+    """Yield every possible change of a package."""
     files = [
         file
         for path in package.paths
@@ -79,25 +82,28 @@ def mutants_of(root: Path, package: Package, operators: Sequence[str]) -> Iterat
                 for node in ast_nodes(tree)
                 for start, _ in operator.mutation_positions(node)
             )
-            seen: Counter[str] = Counter()
+            repetitions: Counter[str] = Counter()
             for nth, (node, (line, _)) in enumerate(places):
                 text = lines[line - 1].strip()
                 where = f"{path}|{ASTQuery(node).get_definition_name()}|{name}|{text}"
-                seen[where] += 1
-                key = hashlib.sha256(f"{where}|{seen[where]}".encode()).hexdigest()[:16]
+                repetitions[where] += 1
+                key = hashlib.sha256(f"{where}|{repetitions[where]}".encode()).hexdigest()[:16]
                 yield Mutant(key, package.name, path, line, name, nth, text)
 
 
-def sample(mutants: Sequence[Mutant], most: int) -> list[Mutant]:
-    """Return as many of them, chosen by their keys; one line of the program gives one at most."""
-    chosen: dict[tuple[str, int], Mutant] = {}
-    for mutant in sorted(mutants, key=lambda one: one.key):
-        chosen.setdefault((mutant.path, mutant.line), mutant)
-    return sorted(chosen.values(), key=lambda one: one.key)[:most]
+def sample(mutants: Sequence[Mutant], size: int) -> list[Mutant]:
+    """Return a sample of at most one mutant per line.
+
+    The mutants with the lowest keys are selected.
+    """
+    selected: dict[tuple[str, int], Mutant] = {}
+    for mutant in sorted(mutants, key=lambda mutant: mutant.key):
+        selected.setdefault((mutant.path, mutant.line), mutant)
+    return sorted(selected.values(), key=lambda mutant: mutant.key)[:size]
 
 
 class Worker(threading.Thread):
-    """Tries one mutant after the other in a copy of the project."""
+    """Thread that tries mutants in a copy of the project."""
 
     def __init__(
         self,
@@ -105,12 +111,12 @@ class Worker(threading.Thread):
         done: "queue.SimpleQueue[tuple[Mutant, dict[str, object]]]",
         root: Path,
         packages: dict[str, Package],
-        limit: float,
+        timeout: float,
         *,
         folder: Path,
     ) -> None:
         super().__init__(daemon=True)
-        self._todo, self._done, self._packages, self._limit = todo, done, packages, limit
+        self._todo, self._done, self._packages, self._timeout = todo, done, packages, timeout
         self._folder = folder
         folder.mkdir()
         for name in COPIED:
@@ -139,12 +145,12 @@ class Worker(threading.Thread):
         except SyntaxError:
             return {"outcome": "invalid", "by": "", "changed": line, "seconds": 0.0}
         file.write_text(changed, encoding="utf-8")
-        began = time.monotonic()
+        start = time.monotonic()
         try:
             outcome, by = self._test(self._packages[mutant.package].tests)
         finally:
             file.write_text(source, encoding="utf-8")
-        seconds = round(time.monotonic() - began, 1)
+        seconds = round(time.monotonic() - start, 1)
         return {"outcome": outcome, "by": by, "changed": line, "seconds": seconds}
 
     def _test(self, tests: Sequence[str]) -> tuple[str, str]:
@@ -162,7 +168,7 @@ class Worker(threading.Thread):
             start_new_session=True,
         ) as process:
             try:
-                output, _ = process.communicate(timeout=self._limit)
+                output, _ = process.communicate(timeout=self._timeout)
             except subprocess.TimeoutExpired:
                 os.killpg(process.pid, 9)
                 process.communicate()
@@ -174,9 +180,9 @@ class Worker(threading.Thread):
 
 
 def run(
-    root: Path, packages: Sequence[Package], mutants: Sequence[Mutant], limit: float, beside: int
+    root: Path, packages: Sequence[Package], mutants: Sequence[Mutant], timeout: float, workers: int
 ) -> dict[str, dict[str, object]]:
-    """Try every mutant; return what became of each, by its key."""
+    """Try every mutant and return the results, by key."""
     todo: queue.SimpleQueue[Mutant] = queue.SimpleQueue()
     done: queue.SimpleQueue[tuple[Mutant, dict[str, object]]] = queue.SimpleQueue()
     for mutant in mutants:
@@ -184,8 +190,8 @@ def run(
     by_name = {package.name: package for package in packages}
     results: dict[str, dict[str, object]] = {}
     with tempfile.TemporaryDirectory(prefix="mutants-", ignore_cleanup_errors=True) as folder:
-        for number in range(beside):
-            Worker(todo, done, root, by_name, limit, folder=Path(folder) / str(number)).start()
+        for number in range(workers):
+            Worker(todo, done, root, by_name, timeout, folder=Path(folder) / str(number)).start()
         for count in range(1, len(mutants) + 1):
             mutant, result = done.get()
             results[mutant.key] = {**asdict(mutant), **result}
@@ -198,9 +204,9 @@ def run(
 
 
 def table(results: Sequence[dict[str, object]]) -> str:
-    """Return a line for each package: how many were tried, caught and survived.
+    """Return a table of tried, caught and surviving mutants by package.
 
-    What is no Python any more does not count.
+    Mutants with invalid syntax are not counted.
     """
     counts: defaultdict[str, Counter[str]] = defaultdict(Counter)
     for result in (result for result in results if result["outcome"] != "invalid"):
@@ -215,13 +221,13 @@ def table(results: Sequence[dict[str, object]]) -> str:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description="Change the program and see what tests notice.")
-    parser.add_argument("--root", type=Path, default=ROOT, help="the checkout that is changed")
-    parser.add_argument("--most", type=int, default=70, help="mutants of each package")
+    parser = argparse.ArgumentParser(description="Change the program and list what the tests miss.")
+    parser.add_argument("--root", type=Path, default=ROOT, help="the checkout to change")
+    parser.add_argument("--most", type=int, default=70, help="mutants per package")
     parser.add_argument("--only", help="this package only")
-    parser.add_argument("--keys", type=Path, help="the mutants of this earlier result only")
-    parser.add_argument("--survivors", action="store_true", help="of them those that survived")
-    parser.add_argument("--beside", type=int, default=2, help="how many at the same time")
+    parser.add_argument("--keys", type=Path, help="only the mutants in this result")
+    parser.add_argument("--survivors", action="store_true", help="with --keys: only survivors")
+    parser.add_argument("--beside", type=int, default=2, help="number of parallel processes")
     parser.add_argument("--results", type=Path, default=ROOT / "mutants.json")
     options = parser.parse_args()
 
@@ -234,14 +240,14 @@ def main() -> int:
     root = options.root.resolve()
     mutants: list[Mutant] = []
     for package in packages:
-        every = list(mutants_of(root, package, configuration["operators"]))
+        possible = list(mutants_of(root, package, configuration["operators"]))
         if options.keys is None:
-            mutants += sample(every, options.most)
+            mutants += sample(possible, options.most)
         else:
             earlier = json.loads(options.keys.read_text(encoding="utf-8"))
             if options.survivors:
                 earlier = {k: v for k, v in earlier.items() if v["outcome"] == "survived"}
-            mutants += [mutant for mutant in every if mutant.key in earlier]
+            mutants += [mutant for mutant in possible if mutant.key in earlier]
     results = run(root, packages, mutants, configuration["limit"], options.beside)
     options.results.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     print(table(list(results.values())))
