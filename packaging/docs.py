@@ -1,9 +1,9 @@
-"""Build the site of the documents in `build/docs/html`, from the files that the program ships.
+"""Build the documentation website in `build/docs/html`.
 
     python3 packaging/bootstrap.py docs
 
-Sphinx reads a folder of copies, so that the pages of the help are the same files as in the window.
-A dead link is an error. The search works from files, without a server.
+Sphinx reads copies of the files that the program ships, such as the pages of the help. A dead link
+is an error. The search of the website needs no server.
 """
 
 import shutil
@@ -20,7 +20,7 @@ MODEL, FIRMWARE = "trex", "1.2"
 
 
 def parameter_rows() -> Iterator[str]:
-    """Return the table of the parameters with the evidence for each."""
+    """Yield the lines of the table of parameters."""
     yield "| number | key | range | default | meaning | evidence |"
     yield "|---|---|---|---|---|---|"
     for spec in parameters_of(MODEL, FIRMWARE):
@@ -31,7 +31,10 @@ def parameter_rows() -> Iterator[str]:
 
 
 def evidence_of(spec: ParameterSpec) -> str:
-    """Return what is inferred or from the twin; empty if a document says all of it."""
+    """Return the grades of the fields that no document specifies.
+
+    Example: "range inferred, default twin". Empty if a document specifies every field.
+    """
     grades = (
         (name, spec.grade(*fields))
         for name, fields in (("range", ("min", "max")), ("default", ("default",)))
@@ -39,8 +42,8 @@ def evidence_of(spec: ParameterSpec) -> str:
     return ", ".join(f"{name} {grade.name.lower()}" for name, grade in grades if grade)
 
 
-def gather() -> None:
-    """Copy what the site is made of."""
+def copy_sources() -> None:
+    """Copy and generate the sources of the website."""
     shutil.rmtree(BUILD_DOCS, ignore_errors=True)
     shutil.copytree(PACKAGING / "docs", SOURCE)
     for name in ("help", "examples"):
@@ -56,7 +59,7 @@ def gather() -> None:
 
 
 def main() -> int:
-    gather()
+    copy_sources()
     sphinx = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-b", "html"]
     status = run_visibly([*sphinx, str(SOURCE), str(SITE)], {})
     if status == 0:

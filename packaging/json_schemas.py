@@ -1,4 +1,4 @@
-"""The schema of what each command prints with `--json`, from what simulated devices give."""
+"""JSON schemas of command output, inferred from simulated devices."""
 
 import json
 import os
@@ -15,10 +15,9 @@ from genson import SchemaBuilder
 from trex_gui.cli import main as trexcmd
 from trex_gui.testing import SimulatedTrex
 
-_SERVED = "127.0.0.1:7499"
+_SERVER = "127.0.0.1:7499"
 
-# Words after each command, several sets where it prints several shapes. Files are in one folder.
-WORDS: Mapping[str, tuple[str, ...]] = {
+ARGUMENTS: Mapping[str, tuple[str, ...]] = {
     "aracna query": ("",),
     "audit": ("new.txt", "profile.txt"),
     "boards": ("",),
@@ -31,17 +30,21 @@ WORDS: Mapping[str, tuple[str, ...]] = {
     "history diff": ("1",),
     "history show": ("1",),
     "list": ("",),
-    "robots": (_SERVED,),
+    "robots": (_SERVER,),
     "status": ("",),
     "stream": ("--limit 3",),
 }
-LINE_BY_LINE = {"stream"}
+"""Arguments of each command. A command with several kinds of output has several sets.
+
+Files are in the working folder.
+"""
+LINE_BY_LINE = {"stream"}  # commands that print one document per line
 
 
 def commands_with_json(
     command: click.Command = trexcmd, words: tuple[str, ...] = ()
 ) -> Iterator[str]:
-    """Return the commands that have the option, by the words that start them."""
+    """Yield the commands with `--json`, such as "history show"."""
     if any(parameter.name == "as_json" for parameter in command.params):
         yield " ".join(words)
     if isinstance(command, click.Group):
@@ -52,9 +55,9 @@ def commands_with_json(
 
 
 @contextmanager
-def served(port: str, environment: Mapping[str, str]) -> Iterator[None]:
-    """Serve a board for the commands that ask the network."""
-    command = [sys.executable, "-m", "trex_gui.cli", "serve", "--port", port, "--listen", _SERVED]
+def serve(port: str, environment: Mapping[str, str]) -> Iterator[None]:
+    """Serve a board on the network during the block."""
+    command = [sys.executable, "-m", "trex_gui.cli", "serve", "--port", port, "--listen", _SERVER]
     with subprocess.Popen(command, env=environment, stderr=subprocess.PIPE) as server:
         try:
             assert server.stderr is not None
@@ -65,17 +68,17 @@ def served(port: str, environment: Mapping[str, str]) -> Iterator[None]:
 
 
 def schemas() -> Iterator[tuple[str, str]]:
-    """Yield each command and its schema as JSON.
+    """Yield each command and its JSON schema.
 
     Raises:
-        KeyError: a command has no words here.
+        KeyError: `ARGUMENTS` lacks a command.
     """
     with tempfile.TemporaryDirectory() as folder:
         environment = {**os.environ, "TREX_STUDIO_DATA": folder}
 
         def run(port: str, *words: str) -> str:
             command = [sys.executable, "-m", "trex_gui.cli", *words]
-            done = subprocess.run(
+            process = subprocess.run(
                 command,
                 cwd=folder,
                 env={**environment, "TREX_PORT": port},
@@ -83,13 +86,13 @@ def schemas() -> Iterator[tuple[str, str]]:
                 text=True,
                 check=False,
             )
-            return done.stdout
+            return process.stdout
 
         with (
             SimulatedTrex() as board,
             SimulatedTrex("--aracna") as robot,
-            SimulatedTrex() as far,
-            served(far.url, environment),
+            SimulatedTrex() as served_board,
+            serve(served_board.url, environment),
         ):
             run(board.url, "get-settings", "new.txt")
             text = (Path(folder) / "new.txt").read_text("utf-8")
@@ -99,9 +102,9 @@ def schemas() -> Iterator[tuple[str, str]]:
             for command in sorted(commands_with_json()):
                 builder = SchemaBuilder()
                 port = robot.url if command.startswith("aracna") else board.url
-                for words in WORDS[command]:
-                    printed = run(port, *command.split(), "--json", *words.split())
-                    documents = printed.splitlines() if command in LINE_BY_LINE else [printed]
+                for arguments in ARGUMENTS[command]:
+                    output = run(port, *command.split(), "--json", *arguments.split())
+                    documents = output.splitlines() if command in LINE_BY_LINE else [output]
                     for document in documents:
                         builder.add_object(json.loads(document))
                 yield command, builder.to_json(indent=2)

@@ -1,4 +1,4 @@
-"""How Sphinx builds the site; see `packaging/docs.py`."""
+"""Configuration of Sphinx for `packaging/docs.py`."""
 
 from trex_gui.version import __version__
 
@@ -12,12 +12,12 @@ extensions = [
     "sphinx.ext.viewcode",
     "sphinx_click",
 ]
-exclude_patterns = ["help/README.md"]  # the title page of the help is ours
+exclude_patterns = ["help/README.md"]  # index.md replaces the title page of the help
 html_theme = "furo"
 html_title = f"{project} {release}"
 html_favicon = "trex-studio.svg"
 html_copy_source = False
-myst_heading_anchors = 4  # as the window and forges name them
+myst_heading_anchors = 4  # the window and code hosts use the same anchors
 autodoc_member_order = "bysource"
 autodoc_typehints_format = "short"
 python_use_unqualified_type_names = True
