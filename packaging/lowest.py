@@ -1,8 +1,8 @@
-"""Run the tests with the lowest versions of the dependencies that `pyproject.toml` allows.
+"""Run the tests with the lowest versions in `pyproject.toml`.
 
     python3 packaging/bootstrap.py test --lowest [-- PYTEST_ARGUMENT ...]
 
-They go into an environment of their own, `.venv-lowest/`; the tools of the tests stay as pinned.
+The dependencies are installed in `.venv-lowest/`. The test tools have the pinned versions.
 """
 
 import sys
@@ -25,27 +25,28 @@ from bootstrap import (
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-HERE = ROOT / ".venv-lowest"
+ENVIRONMENT = ROOT / ".venv-lowest"
 EXTRAS = ("gui", "gamepad", "mcap", "remote")
 
 
 def lowest_versions(project: str) -> dict[str, str]:
-    """Return the lowest version of each dependency, by its normalized name."""
+    """Return the lowest versions of dependencies, by normalized name."""
     table = tomllib.loads(project)["project"]
-    wanted = [*table["dependencies"]]
+    dependencies = [*table["dependencies"]]
     for extra in EXTRAS:
-        wanted += table["optional-dependencies"][extra]
+        dependencies += table["optional-dependencies"][extra]
     found = {}
-    for requirement in map(Requirement, wanted):
-        (lowest,) = (each.version for each in requirement.specifier if each.operator == ">=")
+    for requirement in map(Requirement, dependencies):
+        (lowest,) = (limit.version for limit in requirement.specifier if limit.operator == ">=")
         found[canonicalize_name(requirement.name)] = lowest
     return found
 
 
 def constraints(pinned: str, lowest: dict[str, str]) -> Iterator[str]:
-    """Return the lines of a constraints file: the lowest versions, then what else is pinned.
+    """Yield the lines of a constraints file.
 
-    Parts of a dependency, such as shiboken6 of PySide6-Essentials, follow from it and are left out.
+    The lowest versions are followed by the pinned versions of other packages. Omits shiboken6,
+    because PySide6-Essentials determines its version.
     """
     yield from (f"{name}=={version}" for name, version in lowest.items())
     for line in pinned.splitlines():
@@ -57,9 +58,9 @@ def constraints(pinned: str, lowest: dict[str, str]) -> Iterator[str]:
 def main() -> int:
     lowest = lowest_versions(PROJECT_FILE.read_text(encoding="utf-8"))
     say(", ".join(f"{name} {version}" for name, version in lowest.items()))
-    venv.create(HERE, clear=True, with_pip=True)
-    programs = HERE / ("Scripts" if sys.platform == "win32" else "bin")
-    file = HERE / "constraints.txt"
+    venv.create(ENVIRONMENT, clear=True, with_pip=True)
+    programs = ENVIRONMENT / ("Scripts" if sys.platform == "win32" else "bin")
+    file = ENVIRONMENT / "constraints.txt"
     text = CONSTRAINTS.read_text(encoding="utf-8")
     file.write_text("\n".join(constraints(text, lowest)) + "\n", encoding="utf-8")
     for command in pip_commands([str(programs / "python"), "-m", "pip", "-qq"], file):

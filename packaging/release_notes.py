@@ -1,8 +1,8 @@
-"""Print what CHANGELOG.md says about a version, as the text of its release.
+"""Print the section of a version in CHANGELOG.md, for its release.
 
     python3 packaging/release_notes.py v1.2.3
 
-Ends with an error if the tag is not the version of the program, the version has no section, or
+Fails if the tag differs from the version of the program, if the version has no section, or if
 `[Unreleased]` has entries.
 """
 
@@ -14,7 +14,10 @@ from packages import version
 
 
 def section(changelog: str, version: str) -> str | None:
-    """Return the text below the heading of a version, such as `## [1.2.3] - 2026-01-31`."""
+    """Return the text below the heading of a version.
+
+    Example of a heading: `## [1.2.3] - 2026-01-31`. None if there is no such heading.
+    """
     heading = rf"^## \[?{re.escape(version)}\]?(?: [^\n]*)?\n(.*?)(?=^## |\Z)"
     found = re.search(heading, changelog, re.MULTILINE | re.DOTALL)
     return found[1].strip() if found else None
@@ -24,15 +27,15 @@ def release_notes(tag: str, version: str, changelog: str) -> str:
     """Return the text of a release.
 
     Raises:
-        ValueError: the tag, the version and the changelog do not agree.
+        ValueError: the tag, the version and the changelog contradict each other.
     """
     if tag != f"v{version}":
-        raise ValueError(f"The tag is {tag}, and the version of the program is {version}.")
+        raise ValueError(f"The tag is {tag}, but the version of the program is {version}.")
     if section(changelog, "Unreleased"):
-        raise ValueError(f"CHANGELOG.md has entries in [Unreleased]: move them to [{version}].")
+        raise ValueError(f"CHANGELOG.md has entries in [Unreleased]. Move them to [{version}].")
     text = section(changelog, version)
     if not text:
-        raise ValueError(f"CHANGELOG.md has no section [{version}], or an empty one.")
+        raise ValueError(f"CHANGELOG.md has no section [{version}] or the section is empty.")
     return text
 
 
