@@ -1,6 +1,6 @@
-"""Take what `trexcmd survey` found out about a board over into the parameter table.
+"""Import the findings of `trexcmd survey` into the parameter table.
 
-take_survey.py FILE...   changes resources/trex_parameters.toml and prints what needs a decision
+take_survey.py FILE...   updates resources/trex_parameters.toml and prints the other findings
 """
 
 import re
@@ -14,8 +14,11 @@ TABLE = Path(__file__).parents[1] / "resources" / "trex_parameters.toml"
 _ROW = "[[parameter]]"
 
 
-def taken(table: str, survey: Mapping[str, Any]) -> str:
-    """Return the table with the ranges and defaults of a surveyed board, which are sourced then."""
+def updated(table: str, survey: Mapping[str, Any]) -> str:
+    """Return the table with the surveyed ranges and defaults.
+
+    Their grade of evidence becomes "sourced".
+    """
     model = survey["board"]["model"]
     head, *rows = table.split(_ROW)
     return _ROW.join([head, *(_row(row, survey, f"default_{model}") for row in rows)])
@@ -40,17 +43,17 @@ def _row(row: str, survey: Mapping[str, Any], default: str) -> str:
 
 
 def remarks(table: str, survey: Mapping[str, Any]) -> Iterator[str]:
-    """Yield what the table has no place for."""
+    """Yield the findings that the table cannot hold."""
     known = {f"0x{row['number']:02X}" for row in tomllib.loads(table)["parameter"]}
     for number in survey["stored"].keys() - known:
-        yield f"{number} is a parameter that the table lacks; it stores {survey['stored'][number]}"
+        yield f"{number} is not in the table. Stored value: {survey['stored'][number]}"
     for number in survey["ranges"]:
         if len(survey["ranges"][number].split()) > 1:
             yield f"{number} has gaps: {survey['ranges'][number]}"
     for number, text in survey["altered"].items():
         yield f"{number} stores {text}"
     for reply, numbers in survey["unknown"].items():
-        yield f"{numbers} are no parameters; the reply to reading them: {reply}"
+        yield f"{numbers} are not parameters. Reply to reading them: {reply}"
     for cause, errors in survey["errors"].items():
         yield f"{cause} sets the error bits: {', '.join(errors) or 'none'}"
 
@@ -60,7 +63,7 @@ def main(files: list[str]) -> int:
         survey = tomllib.loads(Path(name).read_text("utf-8"))
         board = survey["board"]
         table = TABLE.read_text("utf-8")
-        TABLE.write_text(taken(table, survey), "utf-8")
+        TABLE.write_text(updated(table, survey), "utf-8")
         print(f"{name}: {board['model']} {board['firmware']}")
         print(*(f"  {remark}" for remark in remarks(table, survey)), sep="\n")
     return 0 if files else 2

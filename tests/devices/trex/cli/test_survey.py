@@ -137,7 +137,7 @@ def test_every_fact_of_a_hidden_table_is_found_and_nothing_changes(
 
     table = resource("trex_parameters.toml").read_text("utf-8")
     rows = {
-        row["number"]: row for row in tomllib.loads(take_survey.taken(table, found))["parameter"]
+        row["number"]: row for row in tomllib.loads(take_survey.updated(table, found))["parameter"]
     }
     for number, ends in tried.items():
         assert (rows[number]["min"], rows[number]["max"]) == ends
