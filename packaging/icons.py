@@ -1,6 +1,6 @@
-"""Draw the program's icon as a file for Windows (.ico) or macOS (.icns).
+"""Write the icon as a file for Windows or macOS.
 
-.venv/bin/python packaging/icons.py FILE
+.venv/bin/python packaging/icons.py FILE.ico|FILE.icns
 """
 
 import os
@@ -21,7 +21,7 @@ ICNS_TYPES = {b"icp4": 16, b"icp5": 32, b"ic07": 128, b"ic08": 256, b"ic09": 512
 
 
 def draw_png(size: int) -> bytes:
-    """Return the icon as a PNG of so many pixels."""
+    """Return the icon as a PNG. `size`: width and height in pixels."""
     image = QImage(size, size, QImage.Format.Format_ARGB32)
     image.fill(Qt.GlobalColor.transparent)
     painter = QPainter(image)
@@ -34,20 +34,20 @@ def draw_png(size: int) -> bytes:
     return bytes(data.data())
 
 
-def make_ico() -> bytes:
-    """Return an icon for Windows: a table of its sizes, then a PNG for each."""
+def encode_ico() -> bytes:
+    """Return the icon for Windows: a table, then a PNG of each size."""
     pictures = [draw_png(size) for size in ICO_SIZES]
     table = struct.pack("<HHH", 0, 1, len(pictures))
     offset = len(table) + 16 * len(pictures)
     for size, picture in zip(ICO_SIZES, pictures, strict=True):
-        # A side of 256 pixels is written as 0.
+        # The format encodes a side of 256 pixels as 0.
         table += struct.pack("<BBBBHHII", size % 256, size % 256, 0, 0, 1, 32, len(picture), offset)
         offset += len(picture)
     return table + b"".join(pictures)
 
 
-def make_icns() -> bytes:
-    """Return an icon for macOS: a PNG for each size, after its type and length."""
+def encode_icns() -> bytes:
+    """Return the icon for macOS: type, length and PNG per size."""
     pictures = {kind: draw_png(size) for kind, size in ICNS_TYPES.items()}
     body = b"".join(
         kind + struct.pack(">I", 8 + len(data)) + data for kind, data in pictures.items()
@@ -56,10 +56,10 @@ def make_icns() -> bytes:
 
 
 def write_icon(path: Path) -> None:
-    """Write the icon in the format that the suffix names."""
+    """Write the icon in the format of the suffix."""
     app = QGuiApplication.instance() or QGuiApplication([])
-    makers: dict[str, Callable[[], bytes]] = {".ico": make_ico, ".icns": make_icns}
-    path.write_bytes(makers[path.suffix]())
+    encoders: dict[str, Callable[[], bytes]] = {".ico": encode_ico, ".icns": encode_icns}
+    path.write_bytes(encoders[path.suffix]())
     del app
 
 

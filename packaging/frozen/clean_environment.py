@@ -1,11 +1,11 @@
-"""Run first in the frozen programs: programs that they start get the user's own libraries."""
+"""Runtime hook that restores the library path for child processes."""
 
 import os
 
-_OURS = "LD_LIBRARY_PATH"  # set by the loader, and read by the system before this runs
-_USERS = f"{_OURS}_ORIG"
+_CURRENT = "LD_LIBRARY_PATH"  # set by the loader; the system has read it before this hook runs
+_ORIGINAL = f"{_CURRENT}_ORIG"  # value of the user, saved by the loader
 
-if _USERS in os.environ:
-    os.environ[_OURS] = os.environ.pop(_USERS)
+if _ORIGINAL in os.environ:
+    os.environ[_CURRENT] = os.environ.pop(_ORIGINAL)
 else:
-    os.environ.pop(_OURS, None)
+    os.environ.pop(_CURRENT, None)

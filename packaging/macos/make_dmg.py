@@ -1,11 +1,11 @@
-"""Make a disk image for macOS of the bundle that PyInstaller leaves.
+"""Create a disk image for macOS from PyInstaller's bundle.
 
     python3 packaging/bootstrap.py package frozen
     .venv/bin/python packaging/macos/make_dmg.py
 
-Not run: this needs macOS. On Linux the icon and `Info.plist` were made and read back. The bundle
-is signed ad hoc, as PyInstaller does: without a developer's certificate and notarisation macOS
-asks before the first start.
+Never run, because it needs macOS. The icon and `Info.plist` were written and read back on Linux.
+The bundle has only the ad-hoc signature of PyInstaller. Without a developer certificate and
+notarisation, macOS warns before the first start.
 """
 
 import platform
@@ -25,9 +25,9 @@ BUNDLE = ROOT / "build" / "packages" / "frozen" / "TReX Studio.app"
 
 def main() -> None:
     program = BUNDLE / "Contents" / "MacOS" / "trex-gui"
-    told = subprocess.run([program, "--version"], capture_output=True, text=True, check=True)
-    if version() not in told.stdout:
-        sys.exit(f"The bundle says {told.stdout!r} instead of {version()}.")
+    process = subprocess.run([program, "--version"], capture_output=True, text=True, check=True)
+    if version() not in process.stdout:
+        sys.exit(f"The version of the bundle is {process.stdout!r} instead of {version()}.")
     content = ROOT / "build" / "packages" / "dmg"
     shutil.rmtree(content, ignore_errors=True)
     shutil.copytree(BUNDLE, content / BUNDLE.name, symlinks=True)
