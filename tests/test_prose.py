@@ -34,7 +34,7 @@ def problems(place: str, node: Documented) -> Iterator[str]:
         yield f"{place}: not a standard verb: {node.name}"
 
 
-@pytest.mark.parametrize("folder", ["trex_gui", "tests"])
+@pytest.mark.parametrize("folder", ["packaging", "tests", "trex_gui"])
 def test_docstrings_and_names_follow_the_rules(folder: str) -> None:
     found = [
         problem
@@ -75,7 +75,8 @@ def misplaced(source: str) -> list[int]:
 def test_signals_and_constants_are_described_behind_the_value() -> None:
     places = [
         f"{path.relative_to(ROOT)}:{line}"
-        for path in sorted((ROOT / "trex_gui").rglob("*.py"))
+        for folder in ("packaging", "trex_gui")
+        for path in sorted((ROOT / folder).rglob("*.py"))
         for line in misplaced(path.read_text(encoding="utf-8"))
     ]
     assert places == []
