@@ -35,7 +35,7 @@ class BoardPanel(QWidget):
     """Panel for selecting a board. It is visible during a scan or with more than one board."""
 
     def __init__(
-        self, boards: BoardList, device: Device, group: BoardGroup, parent: QWidget | None = None
+        self, boards: BoardList, device: Device, group: BoardGroup, parent: QWidget
     ) -> None:
         super().__init__(parent)
         self.setObjectName("boardPanel")

@@ -105,7 +105,7 @@ def motor_text(motor: DemoMotor) -> str:
 
 
 class DemoBoardView(DemoPanelBody[DemoSnapshot]):
-    def __init__(self, controller: TrexController, parent: QWidget | None = None) -> None:
+    def __init__(self, controller: TrexController, parent: QWidget) -> None:
         board = controller.demo_board
         super().__init__(board, controller, "demoState", state_text, parent)
         tip = tr(

@@ -28,7 +28,7 @@ class FindingsList(QWidget):
     line_requested = Signal(int)  # line number, from 1
 
     def __init__(
-        self, prefix: str, after: QWidget, parent: QWidget | None = None, *, is_wide: bool = False
+        self, prefix: str, after: QWidget, parent: QWidget, *, is_wide: bool = False
     ) -> None:
         """Create the list. `prefix` is the prefix of its object names.
 

@@ -34,7 +34,7 @@ class HistoryDialog(ReusedDialog):
 
     restore_requested = Signal()  # the edits are ready for review
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("historyDialog")
         self.setWindowTitle(title_of(tr("&History…")))

@@ -22,7 +22,7 @@ _NUMBERS = r"((\d|[1-9]\d|1[01]\d|12[0-7])(, *|$))*"  # 0 to 127
 class LineSettingsDialog(ReusedDialog):
     chosen = Signal(object)  # `ConnectionSettings` that the user has accepted
 
-    def __init__(self, settings: ConnectionSettings, parent: QWidget | None = None) -> None:
+    def __init__(self, settings: ConnectionSettings, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("lineSettingsDialog")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)

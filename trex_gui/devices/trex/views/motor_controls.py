@@ -177,8 +177,8 @@ class LostPanel(QFrame):
 class StopButton(RedButton):
     """Stop button for any window. Esc also stops the motors."""
 
-    def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, title_of(tr("&Stop motors")), device.press_stop, parent)
+    def __init__(self, device: Device, name: str) -> None:
+        super().__init__(name, title_of(tr("&Stop motors")), device.press_stop, None)
         self.setToolTip(tr("Stop both motors and the auxiliary now (Esc, anywhere)"))
         self._device = device
         device.link_changed.connect(self._on_link_changed)

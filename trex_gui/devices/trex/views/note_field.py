@@ -14,9 +14,7 @@ from trex_gui.ui.widgets.builders import named
 class NoteField(QPlainTextEdit):
     """Editor for the note on a setting. Uninterrupted typing is one undo step."""
 
-    def __init__(
-        self, notes: Notes, name: str, parent: QWidget | None = None, *, lines: int = 3
-    ) -> None:
+    def __init__(self, notes: Notes, name: str, parent: QWidget, *, lines: int = 3) -> None:
         super().__init__(parent)
         self._notes = notes
         self._lines = lines

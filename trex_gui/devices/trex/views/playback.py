@@ -50,7 +50,7 @@ class PlaybackWindow(RecordingWindow):
 class ValuesPanel(QWidget):
     """Values at the playback position. A dash replaces an unknown value."""
 
-    def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
+    def __init__(self, playback: Playback, parent: QWidget) -> None:
         super().__init__(parent)
         self._playback = playback
         self._control = builders.label(self, "controlAtPosition", wrap=True)

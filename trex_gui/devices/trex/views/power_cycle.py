@@ -100,7 +100,7 @@ def _steps(cycle: PowerCycle) -> tuple[Sequence[str], int]:
 
 
 class PowerCyclePanel(QFrame):
-    def __init__(self, cycle: PowerCycle, parent: QWidget | None = None) -> None:
+    def __init__(self, cycle: PowerCycle, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("powerCyclePanel")
         set_look(self, "card")

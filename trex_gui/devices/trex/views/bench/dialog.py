@@ -313,7 +313,7 @@ def _rows() -> tuple[tuple[str, str, str, str], ...]:
 
 
 class FiguresTable(QTableWidget):
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget) -> None:
         rows = _rows()
         super().__init__(len(rows), 3, parent)
         self.setObjectName("benchFigures")

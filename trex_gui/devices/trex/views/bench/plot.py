@@ -28,7 +28,7 @@ _MAX_CURRENT_LABELS = 4
 class BenchPlot(Painted):
     spoken_role = QAccessible.Role.Chart
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("benchPlot")
         self.setAccessibleDescription(tr("The table contains the results as numbers."))

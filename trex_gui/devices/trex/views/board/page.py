@@ -66,7 +66,7 @@ class BoardPage(QWidget):
         device: Device,
         group: BoardGroup,
         create_start_panel: Callable[[QWidget], QWidget],
-        parent: QWidget | None = None,
+        parent: QWidget,
     ) -> None:
         """Create the page. `create_start_panel` creates the panel for the disconnected state."""
         super().__init__(parent)

@@ -11,7 +11,7 @@ from trex_gui.ui.widgets.labels import PAGE_MARGINS
 
 
 class CurrentsPage(PlotPage):
-    def __init__(self, device: Device, group: BoardGroup, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, group: BoardGroup, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("currentsPage")
         self._device, self._group = device, group

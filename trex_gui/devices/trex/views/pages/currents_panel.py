@@ -20,9 +20,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_
 
 
 class CurrentsPanel(TracePanel):
-    def __init__(
-        self, device: Device, parent: QWidget | None = None, *, key: str = "currents"
-    ) -> None:
+    def __init__(self, device: Device, parent: QWidget, *, key: str = "currents") -> None:
         super().__init__(parent, key=key)
         self._device = device
         self._limits: dict[str, float] = {}

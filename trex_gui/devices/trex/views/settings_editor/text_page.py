@@ -52,7 +52,7 @@ class TextPage(QWidget):
     checked = Signal()  # the text was checked again
     repaired = Signal(object)  # tuple with a text for each repair, perhaps empty
 
-    def __init__(self, document: SettingsDocument, parent: QWidget | None = None) -> None:
+    def __init__(self, document: SettingsDocument, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("textPage")
         self._document = document
@@ -169,7 +169,7 @@ class TextPage(QWidget):
 
 
 class NumberedText(QPlainTextEdit):
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._marked: dict[int, str] = {}
         self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)

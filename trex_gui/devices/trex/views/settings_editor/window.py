@@ -44,10 +44,8 @@ class SettingsEditor(QMainWindow):
     saved = Signal(object)  # `Path` of the file
     closed = Signal()
 
-    def __init__(
-        self, document: SettingsDocument, device: Device, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, document: SettingsDocument, device: Device) -> None:
+        super().__init__()
         self.setObjectName("settingsEditor")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowIcon(application_icon())

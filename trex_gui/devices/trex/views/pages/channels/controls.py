@@ -29,7 +29,7 @@ class CalibrationFields(QWidget):
     edited = Signal(object, object)  # valid `Calibration`; key of its undo step, or `None`
     rejected = Signal(str)  # reason why a value is invalid, for the user
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._source = InputSource.RC
         self._calibration: Calibration | None = None
@@ -116,7 +116,7 @@ CHANNEL_OPTIONS = {  # key → title and tool tip
 
 
 class ChannelOptions(QWidget):
-    def __init__(self, parameters: ParameterModel, parent: QWidget | None = None) -> None:
+    def __init__(self, parameters: ParameterModel, parent: QWidget) -> None:
         super().__init__(parent)
         self._parameters = parameters
         self._channel = 1
@@ -193,7 +193,7 @@ class ChannelOptions(QWidget):
 class OtherSource(QWidget):
     power_cycle_requested = Signal()
 
-    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
         self._device = device
         self._source = InputSource.ANALOG

@@ -186,9 +186,7 @@ class DriveControl(ui.Card):
     speed_requested = Signal(int)  # speed from 0 or -127 to 127
     brake_requested = Signal()
 
-    def __init__(
-        self, title: str, name: str, *, two_way: bool = True, parent: QWidget | None = None
-    ) -> None:
+    def __init__(self, title: str, name: str, parent: QWidget, *, two_way: bool = True) -> None:
         super().__init__("", parent)
         set_look(self, "compact")
         self._two_way = two_way

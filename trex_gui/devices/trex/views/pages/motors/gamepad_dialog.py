@@ -33,7 +33,7 @@ def _button_names(pad: Pad | None) -> list[str]:
 
 
 class PadView(QWidget):
-    def __init__(self, pad: Pad | None, parent: QWidget | None = None) -> None:
+    def __init__(self, pad: Pad | None, parent: QWidget | None) -> None:
         super().__init__(parent)
         self.pad = pad
         axes = ui.grid(stretch=[(1, 1)])
@@ -112,7 +112,7 @@ class AssignmentRow(QWidget):
 class GamepadDialog(ReusedDialog):
     """Dialog that applies changes at once. The owner prevents driving while the dialog is open."""
 
-    def __init__(self, gamepad: Gamepad, parent: QWidget | None = None) -> None:
+    def __init__(self, gamepad: Gamepad, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("gamepadDialog")
         self.setWindowTitle(tr("Set up the gamepad"))

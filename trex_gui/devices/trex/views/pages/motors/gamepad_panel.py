@@ -17,9 +17,7 @@ from trex_gui.ui.widgets.labels import Note
 class GamepadPanel(QWidget):
     """Panel of a gamepad. The gamepad drives only while the panel is visible."""
 
-    def __init__(
-        self, device: Device, parent: QWidget | None = None, *, source: SdlPads | None = None
-    ) -> None:
+    def __init__(self, device: Device, parent: QWidget, *, source: SdlPads | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("gamepadPanel")
         self.gamepad = Gamepad(device, source or SdlPads(), self)

@@ -38,7 +38,7 @@ class _StrengthEntry(SpeedEntry):
 class SpeedCeiling(QWidget):
     """Field for a board's speed ceiling. A hint is shown until the user has set the ceiling."""
 
-    def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
+    def __init__(self, motors: Motors, parent: QWidget) -> None:
         super().__init__(parent)
         self._motors = motors
         tip = tr(
@@ -109,7 +109,7 @@ class DriveWith(ui.Card):
 class Options(ui.Card):
     """Rarely changed options. All options except the ramp are stored."""
 
-    def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
+    def __init__(self, motors: Motors, parent: QWidget) -> None:
         super().__init__(title_of(tr("E&xtra options")), parent)
         self.setObjectName("motorsOptions")
         self._motors = motors

@@ -77,9 +77,9 @@ class MotorsPage(QWidget):
         ignored = QSizePolicy.Policy.Ignored
         self._lost.setSizePolicy(ignored, ignored)
         self._controls = {
-            1: DriveControl(tr("Motor 1"), "motor1", parent=drive_box),
-            2: DriveControl(tr("Motor 2"), "motor2", parent=drive_box),
-            AUXILIARY: DriveControl(tr("Auxiliary"), "aux", two_way=False, parent=drive_box),
+            1: DriveControl(tr("Motor 1"), "motor1", drive_box),
+            2: DriveControl(tr("Motor 2"), "motor2", drive_box),
+            AUXILIARY: DriveControl(tr("Auxiliary"), "aux", drive_box, two_way=False),
         }
         self._side = side = QWidget(self)
         title = f"{tr('Motor currents')}, 10 s"

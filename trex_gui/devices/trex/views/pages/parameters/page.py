@@ -137,7 +137,7 @@ class ParameterTable(QWidget):
 class ParametersPage(QWidget):
     power_cycle_requested = Signal()
 
-    def __init__(self, device: Device, linter: BoardLinter, parent: QWidget | None = None) -> None:
+    def __init__(self, device: Device, linter: BoardLinter, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("parametersPage")
         self._device = device

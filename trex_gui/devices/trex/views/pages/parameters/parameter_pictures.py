@@ -140,7 +140,7 @@ _PICTURES: dict[str, Callable[[ParameterSpec, int, ParameterValues], Picture]] =
 
 
 class ParameterPicture(Painted):
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("parameterPicture")
         self.picture: Picture | None = None

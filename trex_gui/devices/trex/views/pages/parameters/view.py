@@ -82,7 +82,7 @@ class ParameterView(QTableView):
 
     wire_value_requested = Signal()  # the user requests the field for wire values
 
-    def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
+    def __init__(self, model: ParameterModel, parent: QWidget) -> None:
         super().__init__(parent)
         self.filter = ParameterFilter()
         self._visible: list[int] = []  # row numbers
