@@ -1,13 +1,13 @@
-"""Spin boxes for numbers with units, and their table delegate."""
+"""Spin boxes for numbers with units."""
 
 import math
 import re
 from contextlib import suppress
 from functools import partial
 
-from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtGui import QAction, QKeyEvent, QValidator
-from PySide6.QtWidgets import QLineEdit, QSpinBox, QStyledItemDelegate, QWidget
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtGui import QAction, QValidator
+from PySide6.QtWidgets import QLineEdit, QSpinBox, QWidget
 
 from trex_gui.core.decimals import DECIMAL, AmbiguousNumber, quantity
 from trex_gui.core.errors import BadRequest
@@ -120,22 +120,6 @@ class UnitSpinBox(QSpinBox):
             problem = error_sentence(error)
             self._mark(problem)
             self.rejected.emit(problem)
-
-
-class UnitDelegate(QStyledItemDelegate):
-    """Delegate that keeps a spin box open while its input is invalid."""
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if (
-            isinstance(watched, UnitSpinBox)
-            and isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.KeyPress
-            and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab}
-            and not watched.hasAcceptableInput()
-        ):
-            watched.report_problem()
-            return True
-        return super().eventFilter(watched, event)
 
 
 class CountEditor(UnitSpinBox):

@@ -33,30 +33,6 @@ SIGNS = {
 }
 
 
-class Reasons(PageHead):
-    """Reasons for the state of the motors. The title is the most important reason."""
-
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__("", parent)
-        self._statuses: tuple[DriveStatus, ...] = ()
-        ui.named(self.title, "motorsReason1")
-        ui.named(self.sign, "motorsSign")
-
-    def show_statuses(self, statuses: tuple[DriveStatus, ...]) -> None:
-        if statuses == self._statuses:
-            return
-        self._statuses = statuses
-        first, *others = statuses
-        is_armed = first.blocker is DriveBlocker.RUNNING
-        sign = ("run", "warning") if is_armed else SIGNS[first.blocker.effect]
-        self.sign.show_sign(*sign)
-        self.show_title(first.text)
-        more = (first.remedy, *(f"{status.text} {status.remedy}" for status in others))
-        state = " ".join(filter(None, map(str.strip, more)))
-        self.show_state(state)
-        self.title.setAccessibleName(f"{first.text} {state}".rstrip())
-
-
 class BoardPage(QWidget):
     setup_requested = Signal()
     page_requested = Signal(str)  # page key
@@ -74,7 +50,10 @@ class BoardPage(QWidget):
         self._device = device
         self._report = QWidget(self)
         self._lost = LostPanel(device, "boardLost", self)
-        self._reasons = Reasons(self._report)
+        self._head = PageHead("", self._report)  # reasons for the state of the motors
+        ui.named(self._head.title, "motorsReason1")
+        ui.named(self._head.sign, "motorsSign")
+        self._statuses: tuple[DriveStatus, ...] = ()
         self._facts = ui.named(Muted("", self._report), "boardFacts")
         drawing = ui.named(ui.Card("", self._report), "boardDrawing", accessible=tr("The board"))
         self._views = SideBySide(drawing)
@@ -100,7 +79,7 @@ class BoardPage(QWidget):
         show.clicked.connect(lambda: self.page_requested.emit("errors"))
         ui.column((self._problems, 1), (show, 0, Qt.AlignmentFlag.AlignLeft), into=problems)
         cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
-        ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=8)
+        ui.column(self._head, (drawing, 1), cards, into=self._report, margins=0, spacing=8)
         self._start = create_start_panel(self)
         parts = self._lost, self._start, (self._report, 1)
         ui.column(*parts, into=self, margins=PAGE_MARGINS, spacing=12)
@@ -132,7 +111,7 @@ class BoardPage(QWidget):
         is_lost = self._lost.show_loss(f"{status.text} {status.remedy}".strip())
         self._start.setVisible(is_idle and not is_lost)
         self._report.setVisible(not is_idle or is_lost)
-        self._reasons.setVisible(not is_lost)
+        self._head.setVisible(not is_lost)
         self._set_up.setEnabled(self._device.is_connected)
         facts, set_up = "", self._device.board.set_up if self._device.is_connected else None
         if state is not None and settings is not None and self._device.is_connected:
@@ -170,8 +149,22 @@ class BoardPage(QWidget):
         """Show the state of the motors. Return the inputs and the first status."""
         inputs = drive_inputs(self._device)
         statuses = drive_statuses(inputs)
-        self._reasons.show_statuses(statuses)
+        if statuses != self._statuses:
+            self._statuses = statuses
+            self._show_statuses(statuses)
         return inputs, statuses[0]
+
+    def _show_statuses(self, statuses: tuple[DriveStatus, ...]) -> None:
+        """Show the most important status as the title and the others below."""
+        head, (first, *others) = self._head, statuses
+        is_armed = first.blocker is DriveBlocker.RUNNING
+        sign = ("run", "warning") if is_armed else SIGNS[first.blocker.effect]
+        head.sign.show_sign(*sign)
+        head.show_title(first.text)
+        more = (first.remedy, *(f"{status.text} {status.remedy}" for status in others))
+        state = " ".join(filter(None, map(str.strip, more)))
+        head.show_state(state)
+        head.title.setAccessibleName(f"{first.text} {state}".rstrip())
 
     @Slot()
     def _show_problems(self) -> None:

@@ -93,8 +93,6 @@ class ChannelRow(Generic[ChannelT]):
 
 
 class ChannelRows(Page):
-    _rows: Sequence[ChannelRow[Any]]
-
     def __init__(
         self,
         learning: Learning,

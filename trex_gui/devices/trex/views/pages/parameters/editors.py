@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QAbstractSpinBox,
     QStyle,
+    QStyledItemDelegate,
     QStyleOptionViewItem,
     QWidget,
 )
@@ -41,7 +42,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
-from trex_gui.devices.trex.views.count_editor import BARE, UnitDelegate, UnitSpinBox
+from trex_gui.devices.trex.views.count_editor import BARE, UnitSpinBox
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import ENTER
@@ -277,10 +278,11 @@ def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
             return NumberEditor(spec, parent)
 
 
-class ParameterDelegate(UnitDelegate):
+class ParameterDelegate(QStyledItemDelegate):
     """Delegate of a `ParameterModel`.
 
-    The editor of a missing value shows the default. Only Enter or an edit stores a value.
+    The editor of a missing value shows the default. Only Enter or an edit stores a value. A number
+    field stays open while its input is invalid.
     """
 
     def __init__(
@@ -313,8 +315,16 @@ class ParameterDelegate(UnitDelegate):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         is_press = event.type() == QEvent.Type.KeyPress
-        if is_press and isinstance(event, QKeyEvent) and event.key() in ENTER:
+        key = event.key() if is_press and isinstance(event, QKeyEvent) else None
+        if key in ENTER:
             watched.setProperty(_UNTOUCHED, False)
+        if (
+            isinstance(watched, UnitSpinBox)
+            and key in {*ENTER, Qt.Key.Key_Tab}
+            and not watched.hasAcceptableInput()
+        ):
+            watched.report_problem()
+            return True
         return super().eventFilter(watched, event)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:
