@@ -12,7 +12,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.trex.model.linter import SettingsLinter
 from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.ui.theme.theme import set_look
-from trex_gui.ui.widgets.builders import button, column, label, no_mnemonic, row, tab_order
+from trex_gui.ui.widgets.builders import button, column, label, named, no_mnemonic, row, tab_order
 from trex_gui.ui.widgets.labels import Sign
 
 Remark = LintFinding | Finding | str  # linter finding, file finding or plain sentence
@@ -39,8 +39,7 @@ class FindingsList(QWidget):
         self._after = after
         self._is_wide = is_wide
         self._prefix = prefix
-        self.setObjectName(f"{prefix}Findings")
-        self.setAccessibleName(tr("Findings about the settings"))
+        named(self, f"{prefix}Findings", accessible=tr("Findings about the settings"))
         self._findings: tuple[Remark, ...] = ()
         self._with_lines = False
         self._can_accept = True

@@ -110,8 +110,7 @@ class SideBySide(QWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._widgets: list[QWidget] = []
-        self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
-        self._box.setContentsMargins(0, 0, 0, 0)
+        self._box = ui.column(into=self, margins=0)
 
     def add(self, widget: QWidget) -> None:
         self._widgets.append(widget)
@@ -149,8 +148,7 @@ class GroupCards(QWidget):
         self.setObjectName("groupCards")
         self._group = group
         self._cards: list[_BoardCard] = []
-        self._row = QBoxLayout(QBoxLayout.Direction.LeftToRight, self)
-        self._row.setContentsMargins(0, 0, 0, 0)
+        self._row = ui.row(into=self, margins=0)
         group.changed.connect(self._on_group_changed)
         self._on_group_changed()
 

@@ -66,9 +66,10 @@ class ProfilePage(Page):
         grid.addWidget(self.motors, grid.rowCount(), 1)
         grid.setRowStretch(grid.rowCount(), 1)
         self.setFocusProxy(self.profile)
+        self.problem = ui.named(Note(0, self.side), "provisionTrouble")
         for path in (self.profile, self.record):
             path.returnPressed.connect(start)
-            path.textChanged.connect(self._on_edited)
+            path.textChanged.connect(lambda: self.problem.show_note(""))
         about = tr(
             "The profile is a settings file. Each board gets the settings of the profile, a "
             "device number that no other board has, and a line in the record. The record is "
@@ -78,7 +79,6 @@ class ProfilePage(Page):
             "Boards have no serial number. A board whose device number is in the record "
             "keeps this number."
         )
-        self.problem = ui.named(Note(0, self.side), "provisionTrouble")
         texts = Muted(about, self.side), Muted(serial, self.side)
         ui.column(*texts, self.problem, 1, into=self.side, margins=0)
 
@@ -116,10 +116,6 @@ class ProfilePage(Page):
         path, _ = QFileDialog.getSaveFileName(self, title, str(proposal), kinds, options=option)
         if path:
             self.record.setText(path)
-
-    @Slot()
-    def _on_edited(self) -> None:
-        self.problem.show_note("")
 
 
 class ProvisionBoardPage(Page):

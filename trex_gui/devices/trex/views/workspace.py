@@ -75,12 +75,13 @@ class TrexWorkspace(Workspace):
         tabs = ui.named(self.pages, "tabs", accessible=tr("Pages"))
         ui.tab_order(panel, tabs.tabBar())
         diagnostics = Diagnostics(self, "diagnostics", frame.show_help)
+        create_currents = partial(CurrentsPage, device, controller.group)
         self.add_pages(
             (
                 PageInfo("board", tr("B&oard"), self._create_board_page, "board"),
                 PageInfo("channels", tr("&Channels"), self._create_channels_page, "channels"),
                 PageInfo("motors", tr("&Motors"), self._create_motors_page, "motor"),
-                PageInfo("currents", tr("C&urrents"), self._create_currents_page, "plot"),
+                PageInfo("currents", tr("C&urrents"), create_currents, "plot"),
                 PageInfo("parameters", tr("&Parameters"), self._create_parameters_page, "settings"),
                 *diagnostics.pages(partial(ErrorsPage, device), self._create_traffic_page),
             )
@@ -142,9 +143,6 @@ class TrexWorkspace(Workspace):
         page.parameter_requested.connect(self._show_parameter)
         page.plot_requested.connect(partial(self.show_page, "currents"))
         return page
-
-    def _create_currents_page(self, parent: QWidget) -> QWidget:
-        return CurrentsPage(self._device, self._controller.group, parent)
 
     def _create_parameters_page(self, parent: QWidget) -> QWidget:
         page = ParametersPage(self._device, self._linter, parent)

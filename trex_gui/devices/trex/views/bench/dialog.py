@@ -71,10 +71,7 @@ class BenchDialog(ReusedDialog):
         tip = tr("Runs the test while you hold the button with the mouse or the space bar")
         self._hold = ui.named(HoldButton(tr("Hold to run"), self), "benchHoldButton", tip=tip)
         self._hold.setMinimumHeight(3 * self.fontMetrics().height())
-        title = tr("Test to compare with")
-        self._compare = ui.combo_box(
-            self, "benchCompare", title, on_change=self._on_compare_changed
-        )
+        self._compare = ui.combo_box(self, "benchCompare", tr("Test to compare with"))
         self._figures = FiguresTable(self)
         tuning = TuningForm(device, bench, self)
         forms = ui.named(QWidget(self), "benchForms")
@@ -102,6 +99,8 @@ class BenchDialog(ReusedDialog):
         ui.column(self._note, (middle, 1), bar, into=self)
         ui.tab_order(left, self._compare, self._figures, bar.stop)
 
+        self._compare.currentIndexChanged.connect(self._schedule_frame)
+        self._compare.currentIndexChanged.connect(self._show_figures)
         self._hold.hold_started.connect(bench.start)
         self._hold.hold_ended.connect(bench.release)
         tuning.apply.clicked.connect(self.apply_requested)
@@ -252,15 +251,11 @@ class BenchDialog(ReusedDialog):
         return runs[index] if len(runs) >= -index else None
 
     @Slot()
-    def _on_compare_changed(self) -> None:
-        self._schedule_frame()
-        self._show_figures()
-
-    @Slot()
     def _show_figures(self) -> None:
         run = None if self.bench.is_driving else self.bench.latest_run
         self._figures.show_runs(run, self._compared_run)
 
+    @Slot()
     def _schedule_frame(self) -> None:
         """Draw at most once per frame, so that drawing does not delay the serial line."""
         if self.isVisible() and not self._frame_timer.isActive():
@@ -316,8 +311,7 @@ class FiguresTable(QTableWidget):
     def __init__(self, parent: QWidget) -> None:
         rows = _rows()
         super().__init__(len(rows), 3, parent)
-        self.setObjectName("benchFigures")
-        self.setAccessibleName(tr("Figures of the test"))
+        ui.named(self, "benchFigures", accessible=tr("Figures of the test"))
         name_headers(self)
         self.setHorizontalHeaderLabels([tr("This test"), tr("Compared"), tr("Change")])
         for index, (name, _, _, explanation) in enumerate(rows):

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import partial
-from typing import TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Slot
 from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSizePolicy, QSpinBox, QWidget
@@ -19,9 +18,6 @@ from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_
 from trex_gui.ui.theme.theme import set_text_color
 from trex_gui.ui.widgets import builders as ui
 
-WidgetT = TypeVar("WidgetT", bound=QWidget)
-
-_POLICY = QSizePolicy.Policy
 _WIDEST = "127 per 100 ms (127 ms)"
 
 
@@ -38,7 +34,7 @@ def _align(form: QFormLayout) -> None:
     for number in range(form.rowCount()):
         item = form.itemAt(number, QFormLayout.ItemRole.LabelRole)
         if item is not None and (title := item.widget()) is not None:
-            title.setSizePolicy(_POLICY.Preferred, _POLICY.Expanding)
+            title.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
 
 
 class PlanForm(ui.Card):
@@ -52,7 +48,7 @@ class PlanForm(ui.Card):
         number = partial(spin, on_change=self._on_edited)
         seconds = partial(number, lowest=MIN_SECONDS, highest=MAX_SECONDS, suffix=tr(" s"))
 
-        def add(text: str, field: WidgetT) -> WidgetT:
+        def add(text: str, field: ui.WidgetT) -> ui.WidgetT:
             field.setAccessibleName(text.replace("&", ""))
             form.addRow(text, field)
             return field

@@ -14,7 +14,7 @@ from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_label
 from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.history import Floats
 from trex_gui.ui.widgets.bar import MINUS
-from trex_gui.ui.widgets.builders import column, row
+from trex_gui.ui.widgets.builders import column, named, row
 from trex_gui.ui.widgets.labels import LegendKey
 from trex_gui.ui.widgets.painted import Painted
 
@@ -30,9 +30,8 @@ class BenchPlot(Painted):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setObjectName("benchPlot")
+        named(self, "benchPlot", accessible=title_of(tr("&Bench test…")))
         self.setAccessibleDescription(tr("The table contains the results as numbers."))
-        self.setAccessibleName(title_of(tr("&Bench test…")))
         self._run: Run | None = None
         self._before: Run | None = None
         self._profile: Profile | None = None

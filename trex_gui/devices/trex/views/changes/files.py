@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.model.settings.draft import diff_against_draft
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
-from trex_gui.devices.trex.settings.conversion import Conversion, Fate, convert
+from trex_gui.devices.trex.settings.conversion import Conversion, convert
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -70,7 +70,8 @@ def load_dialog(
         rows = replace(comparison, rows=present)
         source = f"{settings.product.name} {settings.firmware or ''}".rstrip()
         caption = tr("The file is for a {0}, and the board is a {1}. Checked changes become edits.")
-        altered = _altered(conversion) if is_converted else ()
+        changes = (str(row) for row in conversion.rows if row.reason)
+        altered = [conversion.summary(), *changes] if is_converted else []
         count = len(ticked_of(rows))
         return Changes(
             heading,
@@ -117,12 +118,6 @@ def _missing(comparison: Comparison) -> Iterator[str]:
         if len(missing) > _MAX_NAMES:
             names = tr("{0} and {1} more").format(names, len(missing) - _MAX_NAMES)
         yield tr("Not in the file and therefore unchanged: {0}.").format(names)
-
-
-def _altered(conversion: Conversion) -> Iterator[str]:
-    """Yield the summary of a conversion, then a text for each changed or omitted setting."""
-    yield conversion.summary()
-    yield from (str(row) for row in conversion.rows if row.fate is not Fate.CARRIED_OVER)
 
 
 def show_comparison(
@@ -225,14 +220,13 @@ def show_conversion(
         converted, settings = conversion(), document.settings
         if converted is None or settings is None:
             return Changes(heading, action=action)
-        altered = (row for row in converted.rows if row.fate is not Fate.CARRIED_OVER)
         return Changes(
             heading,
             caption=caption.format(document.name),
             rows=converted.compared_with(settings),
             sides=(tr("In the file"), tr("For a {0}").format(converted.board)),
             with_ticks=False,
-            outcomes={row.key: row.reason for row in altered},
+            outcomes={row.key: row.reason for row in converted.rows if row.reason},
             summary=converted.summary(),
             action=action,
             can_act=True,

@@ -127,12 +127,10 @@ class DrivePad(RobotView):
             self.steered.emit(self._forward, self._turn)
 
     def _field(self) -> QRectF:
-        side = min(self.width(), self.height()) - 2 * self._border() - 2
+        border = _MARGIN + QFontMetrics(self._small_font()).height()
+        side = min(self.width(), self.height()) - 2 * border - 2
         center = QRectF(self.rect()).center()
         return QRectF(center.x() - side / 2, center.y() - side / 2, side, side)
-
-    def _border(self) -> int:
-        return _MARGIN + QFontMetrics(self._small_font()).height()
 
     def robot_area(self) -> QRectF:
         field, area = self._field(), super().robot_area()
