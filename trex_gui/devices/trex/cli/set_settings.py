@@ -167,7 +167,7 @@ def _fitted(file: str, target: Settings, state: DeviceState) -> Settings:
             "--convert carries over the settings that fit"
         )
         raise SettingsError(name_of(file), [Finding(1, "product", message)])
-    known = {spec.key for spec in state.specs.readable}
+    known = state.specs.readable_by_key
     if unknown := [key for key in target.parameters if key not in known]:
         message = f"a {board} does not have this setting; --convert leaves it out"
         raise SettingsError(name_of(file), [Finding(None, key, message) for key in unknown])

@@ -9,7 +9,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum, StrEnum
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from trex_gui.core.decimals import DECIMAL, decimal, quantity
@@ -365,7 +365,7 @@ def _line_settings(wire: int) -> LineSettings | None:
         return None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class ParameterSet:
     """Parameters of a model with one firmware version, sorted by number."""
 
@@ -379,6 +379,10 @@ class ParameterSet:
     @property
     def readable(self) -> tuple[ParameterSpec, ...]:
         return tuple(spec for spec in self.specs if spec.readable)
+
+    @cached_property
+    def readable_by_key(self) -> Mapping[str, ParameterSpec]:
+        return {spec.key: spec for spec in self.readable}
 
     def __getitem__(self, key: str) -> ParameterSpec:
         """Return the parameter with this key or name.

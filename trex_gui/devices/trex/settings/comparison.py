@@ -1,20 +1,18 @@
 """Differences between two sets of settings."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.core.translation import cached_text, tr, tr_noop
+from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
     CALIBRATION_KEYS,
     Calibration,
     CalibrationKey,
 )
-from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec
-from trex_gui.devices.trex.settings.document import Settings, specs_for
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.writer import calibration_text
 
 _NOT_GIVEN = tr_noop("not given")
@@ -119,7 +117,7 @@ def compare(before: Settings, after: Settings) -> Comparison:
     Settings are equal if their wire values are equal. A setting is left out if its wire value has a
     different meaning on the other model.
     """
-    numbers = {spec.number: key for side in (before, after) for key, spec in _specs(side).items()}
+    numbers = {spec.number: spec.key for side in (before, after) for spec in side.specs.readable}
     keys = [key for _, key in sorted(numbers.items())]
     given = [key for key in keys if key in before.parameters or key in after.parameters]
     reasons = {key: reason for key in given if (reason := _omission_reason(key, before, after))}
@@ -169,8 +167,8 @@ def settings_after(
 def _omission_reason(key: str, before: Settings, after: Settings) -> str:
     """Return the reason to leave out a parameter. Empty if it can be compared."""
     for side, other in ((before, after), (after, before)):
-        spec, wire = _specs(side).get(key), side.parameters.get(key)
-        if spec is not None and wire is not None and key not in _specs(other):
+        spec, wire = side.specs.readable_by_key.get(key), side.parameters.get(key)
+        if spec is not None and wire is not None and key not in other.specs.readable_by_key:
             board = tr("a {0} with firmware {1}").format(other.product.name, other.specs.firmware)
             return tr("{0} ({1}) is left out: {2} does not have this setting.").format(
                 spec.name, spec.text(wire), board
@@ -178,7 +176,7 @@ def _omission_reason(key: str, before: Settings, after: Settings) -> str:
     wire = after.parameters.get(key)
     if wire is None:
         return ""
-    old, new = _specs(before)[key], _specs(after)[key]
+    old, new = before.specs[key], after.specs[key]
     if new.text(wire) == old.text(wire):
         return ""
     return tr("{0} is left out: {1} means {2} to a {3}, but {4} to a {5}.").format(
@@ -186,20 +184,11 @@ def _omission_reason(key: str, before: Settings, after: Settings) -> str:
     )
 
 
-@cached_text
-def _specs_of(product: Model, firmware: str | None) -> Mapping[str, ParameterSpec]:
-    return {spec.key: spec for spec in specs_for(product, firmware).readable}
-
-
-def _specs(settings: Settings) -> Mapping[str, ParameterSpec]:
-    return _specs_of(settings.product, settings.firmware)
-
-
 def _parameter_row(key: str, before: Settings, after: Settings) -> ComparisonRow:
     old, new = before.parameters.get(key), after.parameters.get(key)
-    spec = _specs(before)[key]
+    spec = before.specs[key]
     old_text = "" if old is None else spec.text(old)
-    new_text = "" if new is None else _specs(after)[key].text(new)
+    new_text = "" if new is None else after.specs[key].text(new)
     notes = before.notes.get(key, ""), after.notes.get(key, "")
     return ComparisonRow(key, spec.name, old, new, old_text, new_text, *notes)
 

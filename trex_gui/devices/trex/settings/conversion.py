@@ -10,7 +10,7 @@ from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, ParameterSpec
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
-from trex_gui.devices.trex.settings.document import Settings, specs_for
+from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.writer import calibration_text
 
 
@@ -79,9 +79,8 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
     target = Settings(product, firmware)
     parameters: dict[str, int] = {}
     rows: list[ConvertedRow] = []
-    specs = {spec.key: spec for spec in specs_for(product, firmware).readable}
     for old, wire in settings.parameter_items():
-        new = specs.get(old.key)
+        new = target.specs.readable_by_key.get(old.key)
         if new is None:
             reason = tr("A {0} with firmware {1} does not have this setting.").format(
                 product.name, target.specs.firmware

@@ -53,7 +53,7 @@ def _text(settings: Settings, title_lines: Sequence[str]) -> str:
 
 def check_keys(settings: Settings) -> None:
     """Raise BadRequest if the model and firmware do not have all keys."""
-    known = {spec.key for spec in settings.specs.readable}
+    known = settings.specs.readable_by_key
     if unknown := [key for key in settings.parameters if key not in known]:
         board = f"{settings.product.name} {settings.firmware or ''}".strip()
         raise BadRequest(tr("a {0} has no {1}").format(board, ", ".join(unknown)))

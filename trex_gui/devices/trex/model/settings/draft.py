@@ -291,7 +291,7 @@ def diff_against_draft(
     if settings.product.key != shown.product.key:
         message = tr("These settings are for a {0}, not a {1}")
         raise BadRequest(message.format(settings.product.name, shown.product.name))
-    known = {spec.key for spec in shown.specs.readable}
+    known = shown.specs.readable_by_key
     unread = [key for key in settings.parameters if key in known and not draft.can_edit(key)]
     hidden = [key for key in settings.calibrations if not draft.can_edit(key)]
     result = compare(shown, settings.without([*unread, *hidden]))
