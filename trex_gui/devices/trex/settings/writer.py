@@ -35,16 +35,12 @@ def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> st
         BadRequest: the settings contain a key that their model and firmware do not have.
     """
     check_keys(settings)
-    with in_english():
-        return _text(settings, title_lines)
-
-
-def _text(settings: Settings, title_lines: Sequence[str]) -> str:
     header = [f"product: {settings.product.name}"]
     header += [_comment(part) for line in title_lines for part in line.splitlines() or [""]]
     if settings.firmware is not None:
         header.append(f"firmware: {settings.firmware}")
-    blocks = [header, *_parameter_blocks(settings), *_calibration_blocks(settings)]
+    with in_english():
+        blocks = [header, *_parameter_blocks(settings), *_calibration_blocks(settings)]
     if other_keys := sorted(settings.notes.keys() - settings.keys):
         lines = (lines_of_note(key, settings.notes) for key in other_keys)
         blocks.append(list(chain.from_iterable(lines)))
