@@ -40,12 +40,9 @@ class ConnectionSettings(PortSettings):
 
     @property
     def packed(self) -> str:
-        number = -1 if self.device_number is None else self.device_number
-        line, shared = self.line, SHARED + self.reserved_text if self.reserved else ""
-        unshared = (
-            f"{line.baud} {line.detection.name} {line.stop_bits} {number} {self.polynomial:02X}"
-        )
-        return unshared + shared
+        line, number = self.line, -1 if self.device_number is None else self.device_number
+        text = f"{line.baud} {line.detection.name} {line.stop_bits} {number} {self.polynomial:02X}"
+        return text + (SHARED + self.reserved_text if self.reserved else "")
 
     def unpacked(self, text: str) -> "ConnectionSettings":
         """Parse a `packed` text. Raise BadRequest if it is invalid.
