@@ -18,8 +18,6 @@ from trex_gui.devices.trex.driving.timeout_stop import turning_text
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriveInputs:
-    """Inputs of `drive_statuses`."""
-
     board: BoardInputs | None = None  # reports of the board; `None` if unknown
     link: DriveBlocker | None = None  # state of the connection; `None` while the board responds
     may_move: bool = False  # True if motors were driven and no stop was confirmed since

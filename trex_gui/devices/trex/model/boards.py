@@ -87,7 +87,6 @@ class BoardList(QObject):
 
     @property
     def unselected_numbers(self) -> set[int]:
-        """Numbers of the boards that are not selected."""
         return {board.number for board in self.boards} - {self.selected}
 
     @property

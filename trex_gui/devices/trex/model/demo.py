@@ -117,8 +117,6 @@ _OFF_MS = 1000  # duration without power; long enough for the program to notice
 
 
 class DemoBoard(DemoDevice[DemoSnapshot]):
-    """Simulated TReX with its sticks."""
-
     factory_reset = Signal()  # emitted before the board is reset to its initial state
 
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:

@@ -10,8 +10,6 @@ from trex_gui.devices.trex.settings.rules import Context, LintFinding, lint
 
 
 class SettingsLinter(QObject):
-    """Checks stored values and edits after each change."""
-
     changed = Signal()  # `findings` has changed
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:

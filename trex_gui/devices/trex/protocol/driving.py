@@ -24,8 +24,6 @@ class Direction(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """Setpoint of one motor."""
-
     direction: Direction
     speed: int  # speed or braking duty, 0-127
 

@@ -177,8 +177,6 @@ class PacketParser:
 
 @dataclass(slots=True)
 class ReplyParser(Generic[ReplyT_co]):
-    """Parser for the reply to one command."""
-
     command: Command[ReplyT_co]
     framing: Framing = field(default_factory=Framing)
     echo: bool = False  # True if an echo precedes the reply, as on RS-232

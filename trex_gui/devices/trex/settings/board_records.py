@@ -46,8 +46,6 @@ class Provenance:
 
 @dataclass(frozen=True, slots=True)
 class BoardRecord:
-    """Settings in a record, and the data in its header."""
-
     settings: Settings
     applied: datetime | None = None  # time when parameters were last applied; `None`: never
     provenance: Mapping[InputSource, Provenance] = field(default_factory=dict)  # of calibrations

@@ -37,8 +37,6 @@ class ConvertedRow:
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """Converted settings, and the fate of each setting."""
-
     settings: Settings
     rows: tuple[ConvertedRow, ...]  # changes first
 

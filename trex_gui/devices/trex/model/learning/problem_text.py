@@ -15,7 +15,6 @@ def problems_text(problems: tuple[CalibrationProblem, ...]) -> str:
 
 
 def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
-    """Return the sentences for each kind and variant."""
     kind = ProblemKind
     moved = tr(
         "The signal moved during sampling, between {0} and {1}. Release the stick and sample again."

@@ -44,8 +44,6 @@ class _Result:
 
 
 class BoardFiles(QObject):
-    """Saves and reads one file for each board."""
-
     found = Signal(object, object)  # the board, and its content; `None` without a valid file
     failed = Signal(object)  # a `SettingsError`; not repeated until a save succeeds
     replaced = Signal(object)  # new `Path` of a renamed file of another board, see `move`

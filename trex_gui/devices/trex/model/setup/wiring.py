@@ -48,8 +48,6 @@ class Rewiring:
 
 @dataclass(frozen=True, slots=True)
 class Wiring:
-    """Connections of the motors."""
-
     swapped: bool  # motor 1 drives the right wheel
     backward: frozenset[Side]  # wheels that turn backward when their motor is driven forward
 
