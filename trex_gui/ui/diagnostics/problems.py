@@ -177,8 +177,7 @@ class RoundTrips(Painted):
                 self._seconds[slot] = max(self._seconds.get(slot, 0.0), row.seconds)
         self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         width, height = self.width() * _SLOT / _MINUTE, (self.height() - 3) / (self.longest or 1)
         with Painter(self) as painter:
             painter.setPen(theme().color("hairline"))

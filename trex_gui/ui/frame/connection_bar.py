@@ -167,8 +167,7 @@ class ConnectionBar(QFrame):
         self._combo.setMinimumWidth(_MIN_PORT * character)
         self.button.setMinimumWidth(_CONNECT * character)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        del watched
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         if event.type() in {QEvent.Type.Resize, QEvent.Type.LayoutRequest}:
             reserved = (_STATE - _MIN_STATE) * self.fontMetrics().averageCharWidth()
             free = self._pill.width() - reserved - self._parts.minimumSize().width()

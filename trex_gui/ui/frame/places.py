@@ -80,8 +80,7 @@ class PlaceBar(QTabBar):
         if 0 <= index < self.count():
             self.setCurrentIndex(index)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         hovered = self.tabAt(self.mapFromGlobal(self.cursor().pos()))
         with Painter(self) as painter:
             for index in filter(self.isTabVisible, range(self.count())):
@@ -150,8 +149,7 @@ class Places(QTabWidget):
         self.bar.set_narrow(self.width() < _NARROW)
         super().resizeEvent(event)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         column = QRect(self.bar.x(), 0, self.bar.width(), self.height())
         with Painter(self) as painter:
             painter.fillRect(column, theme().color("base"))

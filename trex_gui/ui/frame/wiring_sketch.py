@@ -70,8 +70,7 @@ class WiringSketch(Painted):
         left, right = zip(*self._wiring.wires, strict=True)
         return text_width(self.font(), *left) + line, text_width(self.font(), *right) + line
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         hint, line = self.sizeHint(), self.fontMetrics().height()
         (adapter, body), (left, right) = self._boxes(), self._pin_widths()
         height = self.height() - line  # without the space above and below

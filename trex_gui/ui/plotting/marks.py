@@ -73,7 +73,7 @@ class EventMarks(Painted):
     def sizeHint(self) -> QSize:
         return QSize(100, self.fontMetrics().height() + 2)
 
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - the widget is small
+    def paintEvent(self, _event: QPaintEvent) -> None:
         metrics, end = self.fontMetrics(), float(self.width())
         with Painter(self) as painter:
             for x, marked in reversed(self.marks):
@@ -128,7 +128,7 @@ class CurveTags(Painted):
         widths = [metrics.horizontalAdvance(trace.tag) for trace in self._traces.values()]
         return QSize(max(widths) + metrics.averageCharWidth() + 4 if widths else 0, 0)
 
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - the widget is small
+    def paintEvent(self, _event: QPaintEvent) -> None:
         ends = sorted((y, name) for name, y in self._heights.items() if name in self._traces)
         height = self.fontMetrics().height() + 1.0
         centers = spread([y for y, _ in ends], [height] * len(ends), 0, self.height(), 2)

@@ -47,8 +47,7 @@ class FocusFrame(QObject):
             self._frame.deleteLater()
         self._frame = None
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        del watched
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         if event.type() in _CHANGES:
             self._move()
         return False

@@ -65,8 +65,7 @@ class Lamp(Painted):
         side = self.fontMetrics().height()
         return QSize(side, side)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         radius = min(self.width(), self.height()) / 2 - 1.5
         middle = QPointF(self.width() / 2, self.height() / 2)
         with Painter(self) as painter:

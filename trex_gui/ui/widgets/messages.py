@@ -247,8 +247,7 @@ class MessageSpace(QWidget):
             self, "height", lambda: self.setFixedHeight(0 if floats else message_height(self))
         )
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        del watched
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         if event.type() in {QEvent.Type.LayoutRequest, QEvent.Type.Show}:
             self._fit()
         return False

@@ -42,8 +42,7 @@ class PaintedSlider(QSlider, Spoken):
         super().initStyleOption(option)
         option.rect = self.rect().adjusted(0, 0, 0, -self.space_below)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         option = QStyleOptionSlider()
         self.initStyleOption(option)
         slider, part = QStyle.ComplexControl.CC_Slider, QStyle.SubControl.SC_SliderHandle

@@ -55,8 +55,7 @@ class StepStrip(Painted):
     def _width_of(self, title: str) -> int:
         return round(1.1 * self.fontMetrics().horizontalAdvance(title)) + 2 * _GAP
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         diameter, color, height = self._diameter(), theme().color, self.height()
         shows_all_names = self.sizeHint().width() <= self.width()
         last = len(self._steps) - 1

@@ -40,8 +40,7 @@ class WheelPart(QPushButton):
         self.setAutoDefault(False)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         ink, fill = "mark", "selected" if self.underMouse() else "base"
         if not self.isEnabled():
             ink, fill = "outline", "base"
@@ -117,8 +116,7 @@ class RobotView(Painted):
         for movement, part in self._parts.items():
             part.setGeometry(_scaled(_LEFT_PARTS[movement.forward], area, movement.side).toRect())
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         with Painter(self) as painter:
             area = self.robot_area()
             self.paint_robot(painter, area)

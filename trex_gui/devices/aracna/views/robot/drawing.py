@@ -145,8 +145,7 @@ class RobotDrawing(Painted):
         x, y = point
         return QPointF(self.width() / 2 + x * scale, self.height() / 2 + y * scale)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         with Painter(self) as painter:
             solid = self._present_legs()
             body = QRectF(self._to_pixels((-_BODY, -_BODY)), self._to_pixels((_BODY, _BODY)))

@@ -75,8 +75,7 @@ class JumperPicture(Painted):
     def _above(self) -> float:
         return _ABOVE if self._leds.isHidden() else _ABOVE + _LEDS
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         line, color = _SCALE * self.fontMetrics().height(), theme().color
         origin = QPointF(_LEFT * line, self._above * line)
         step = jumpers_size(self.font(), [("", True)]).height() * _SCALE

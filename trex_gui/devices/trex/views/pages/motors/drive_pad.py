@@ -175,8 +175,7 @@ class DrivePad(RobotView):
     def minimumSizeHint(self) -> QSize:
         return QSize(170, 170)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         field, color, active = self._field(), theme().color, self.isEnabled()
         with Painter(self) as painter:
             focus = self.hasFocus() and active

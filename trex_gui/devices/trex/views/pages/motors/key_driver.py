@@ -92,8 +92,7 @@ class KeyDriver(QObject):
         self._clear()
         self._drive.release()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        del watched
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent):
             if event.type() == QEvent.Type.KeyPress:
                 return self._on_pressed(event)

@@ -159,8 +159,7 @@ class ParameterPicture(Painted):
         self.setVisible(self.picture is not None)
         self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        del event
+    def paintEvent(self, _event: QPaintEvent) -> None:
         if (picture := self.picture) is None:
             return
         inside = QRectF(self.rect()).adjusted(_MARGIN, _MARGIN, -_MARGIN, -_MARGIN)
