@@ -1,6 +1,7 @@
 """Simulated devices in virtual time, at ports that the program opens."""
 
 import errno
+import math
 import shutil
 from collections import deque
 from collections.abc import Callable, Collection, Sequence
@@ -79,12 +80,14 @@ class VirtualSimulator(SimulatedDevice):
         self.line.advance_to(self.runtime.now() - self._start + _EPSILON)
 
     def run_until_received(self, size: int, end: float) -> float:
-        """Process events on the line until the host has received bytes, at the latest until `end`.
+        """Process events on the line until the host has received bytes, but not after `end`.
 
-        Return the runtime's time after the last event, or `end` without enough bytes.
+        Return the runtime's time of the last byte, or else of the next event.
         """
-        is_complete = self.line.run_until_received(size, end - self._start)
-        return self._start + self.line.now if is_complete else end
+        if self.line.run_until_received(size, end - self._start):
+            return self._start + self.line.now
+        event = self.line.next_event
+        return math.inf if event is None else self._start + event
 
     def open(self, settings: PortSettings) -> Transport:
         """Open the port. See `SerialTransport`."""
@@ -161,11 +164,11 @@ class VirtualTransport:
                 data = bytes(self._received[:size])
                 del self._received[:size]
                 return data
-            end = min(deadline, self.clock() + _CHECK_S)
-            moment = self._simulator.run_until_received(
-                size - len(self._received), min(end, self._runtime.next_event)
-            )
-            self._runtime.sleep_until(max(moment, self.clock() + _EPSILON))
+            end, missing = min(deadline, self.clock() + _CHECK_S), size - len(self._received)
+            # Another task may change the line at the next event of the runtime.
+            alone_until = min(end, self._runtime.next_event)
+            moment = self._simulator.run_until_received(missing, alone_until)
+            self._runtime.sleep_until(max(min(moment, end), self.clock() + _EPSILON))
 
     def discard(self) -> bytes:
         self._catch_up()
