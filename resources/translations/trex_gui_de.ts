@@ -2565,14 +2565,14 @@
         <translation>Vom ersten Sollwert bis zum Bremsen.</translation></message>
     <message><source>Runs the test while you hold the button with the mouse or the space bar</source>
         <translation>Führt den Prüflauf aus, solange sie mit der Maus oder der Leertaste gehalten wird</translation></message>
-    <message><source>Test to compare with</source>
-        <translation>Prüflauf zum Vergleichen</translation></message>
     <message><source>Open a saved test</source>
         <translation>Gespeicherten Prüflauf öffnen</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, Motor {1}: {2}</translation></message>
+    <message><source>Test to compare with</source>
+        <translation>Prüflauf zum Vergleichen</translation></message>
     <message><source>&amp;Open…</source>
         <translation>Öffn&amp;en…</translation></message>
     <message><source>Sa&amp;ve…</source>
@@ -2611,8 +2611,6 @@
         <translation>Bis zum ersten Messwert von zwei Counts: die Leitung, das Board und seine Messung.</translation></message>
     <message><source>Time until the current stayed within this percentage of the steady current, or within two counts of the steady current.</source>
         <translation>Bis der Strom innerhalb dieses Anteils am stationären Strom blieb, oder innerhalb von zwei Counts um ihn.</translation></message>
-    <message><source>Figures of the test</source>
-        <translation>Kennwerte des Prüflaufs</translation></message>
     <message><source>&amp;Bench test…</source>
         <translation>&amp;Prüflauf…</translation></message>
     <message><source>Compar&amp;e with</source>
@@ -2629,6 +2627,8 @@
         <translation>Der Prüflauf ist abgeschlossen.</translation></message>
     <message><source>the previous test</source>
         <translation>voriger Prüflauf</translation></message>
+    <message><source>Figures of the test</source>
+        <translation>Kennwerte des Prüflaufs</translation></message>
     <message><source>This test</source>
         <translation>Dieser Lauf</translation></message>
     <message><source>Compared</source>

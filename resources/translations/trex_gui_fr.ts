@@ -2565,14 +2565,14 @@
         <translation>De la première consigne jusqu'au freinage.</translation></message>
     <message><source>Runs the test while you hold the button with the mouse or the space bar</source>
         <translation>Effectue l'essai tant qu'il est maintenu, avec la souris ou la barre d'espace</translation></message>
-    <message><source>Test to compare with</source>
-        <translation>Essai auquel comparer</translation></message>
     <message><source>Open a saved test</source>
         <translation>Ouvrir un essai enregistré</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
         <translation>{0:%H:%M:%S}, moteur {1} : {2}</translation></message>
+    <message><source>Test to compare with</source>
+        <translation>Essai auquel comparer</translation></message>
     <message><source>&amp;Open…</source>
         <translation>&amp;Ouvrir…</translation></message>
     <message><source>Sa&amp;ve…</source>
@@ -2611,8 +2611,6 @@
         <translation>Jusqu'à la première mesure de deux counts : la liaison, la carte et sa mesure.</translation></message>
     <message><source>Time until the current stayed within this percentage of the steady current, or within two counts of the steady current.</source>
         <translation>Jusqu'à ce que le courant ne s'écarte plus du courant établi de plus de cette proportion, ou de plus de deux counts.</translation></message>
-    <message><source>Figures of the test</source>
-        <translation>Résultats de l'essai</translation></message>
     <message><source>&amp;Bench test…</source>
         <translation>Essai au &amp;banc…</translation></message>
     <message><source>Compar&amp;e with</source>
@@ -2629,6 +2627,8 @@
         <translation>L'essai est terminé.</translation></message>
     <message><source>the previous test</source>
         <translation>l'essai précédent</translation></message>
+    <message><source>Figures of the test</source>
+        <translation>Résultats de l'essai</translation></message>
     <message><source>This test</source>
         <translation>Cet essai</translation></message>
     <message><source>Compared</source>
