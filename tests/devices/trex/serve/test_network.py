@@ -217,9 +217,11 @@ def test_client_drives_on_after_a_cut_connection(server: ServerProcess) -> None:
                 try:
                     trex.drive(40)
                     trex.wait(0.3)
+                    is_driving = motor(server.simulator) == ("forward", 40)
+                    trex.stop()
                 except (NoReply, MotorsStoppedError):
                     return False
-                return motor(server.simulator) == ("forward", 40)
+                return is_driving
 
             assert drives()
             cable.cut()

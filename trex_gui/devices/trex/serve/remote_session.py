@@ -77,6 +77,7 @@ _LOST_AFTER = 5.0  # seconds without a report after which the connection ends
 
 _REPLY_TIMEOUT = 3.0  # seconds until the server replies to a `Hello` or a lease request
 _STOP_TIMEOUT = 1.0  # seconds until the last stop is confirmed
+_STOP_INTERVAL = 0.25  # seconds until an unconfirmed stop is repeated
 _LAST_STOP_ID = -2  # id of the stop that precedes `Leave`
 _DELAY_INTERVAL = 1.0  # seconds between two reports of the network delay
 
@@ -122,7 +123,8 @@ class RemoteSession:
         self._closed: Closed | None = None
         self._counters = Counters()
         self._unanswered: set[int] = set()
-        self._stops: set[int] = set()  # ids of unconfirmed stops
+        self._stops: dict[int, Request] = {}  # unconfirmed stops, by id
+        self._stop_at = 0.0  # time to repeat the unconfirmed stops
         self._delay_at = 0.0  # time of the last delay report
 
     def run(self) -> None:
@@ -166,6 +168,7 @@ class RemoteSession:
                 while self._may_move and self._clock() < deadline:
                     self._inbox.get(_SLICE)
                     self._handle_reports()
+                    self._repeat_stops()
         except Exception:  # the engine may raise any error when the connection is lost
             log.info("the connection ended before the last stop was confirmed", exc_info=True)
         try:
@@ -183,9 +186,17 @@ class RemoteSession:
             self._send(Alive())
         self._handle_requests(min(_SLICE, max(0.0, self._heartbeat_at - now)))
         self._handle_reports()
+        self._repeat_stops()
         self._check_silence()
         if self._waiting is not None and self._clock() >= self._waiting.deadline:
             self._reject_waiting()
+
+    def _repeat_stops(self) -> None:
+        """Repeat unconfirmed stops, because a cut connection loses messages."""
+        if self._stops and self._clock() >= self._stop_at:
+            self._stop_at = self._clock() + _STOP_INTERVAL
+            for request in self._stops.values():
+                self._send(request)
 
     def _check_silence(self) -> None:
         silence = self._clock() - self._heard_at
@@ -237,9 +248,11 @@ class RemoteSession:
             request = Heartbeat()
         if isinstance(inner, Stop):
             self._has_armed = False
-            self._stops.add(inner.id)
+            self._stops[inner.id] = request
+            self._stop_at = self._clock() + _STOP_INTERVAL
         elif isinstance(inner, Arm):
             self._has_armed = True
+            self._stops.clear()  # a repeated stop would stop the armed motors
         if number := getattr(inner, "id", 0):
             self._unanswered.add(number)
         self._may_move = self._may_move or isinstance(inner, SetpointRequest)
@@ -315,9 +328,9 @@ class RemoteSession:
         match report:
             case OfBoard(number=number, report=inner):
                 self._emit_local(inner, number)
-            case Outcome():
+            case Outcome(id=number) if number in self._unanswered:
                 report = self._local_outcome(report, board)
-                if report.id != _LAST_STOP_ID:
+                if number != _LAST_STOP_ID:
                     emit(report)
             case Connected():
                 report = replace(report, settings=self._local_settings(report.settings))
@@ -344,16 +357,15 @@ class RemoteSession:
                     emit(report)
                 if stops_all:
                     self._has_armed = self._has_armed and reason is None
-            case Welcome() | Refused() | Tick():
+            case Welcome() | Refused() | Tick() | Outcome():  # a stop was repeated
                 pass
             case _:
                 emit(report)
 
     def _local_outcome(self, outcome: Outcome, board: int | None) -> Outcome:
         self._unanswered.discard(outcome.id)
-        if outcome.id in self._stops and outcome.error is None:
+        if self._stops.pop(outcome.id, None) and outcome.error is None:
             self._may_move = False
-        self._stops.discard(outcome.id)
         if not isinstance(written := outcome.value, Written):
             return outcome
         written = replace(written, settings=self._local_settings(written.settings))

@@ -394,7 +394,8 @@ class BoardServer:
             self._pending_stop = stop_id = next(self._ids)
             waiting = self._outcomes[stop_id] = []
             self._request(Stop(stop_id))
-        waiting.append((client.party, request.id))
+        if (client.party, request.id) not in waiting:  # the client may have repeated its stop
+            waiting.append((client.party, request.id))
 
     def _reject(self, client: _Client, request: Request) -> None:
         self._refuse("without the lease")
