@@ -102,6 +102,12 @@ def test_stop_that_is_lost_is_repeated(network: Network, seconds: float) -> None
     assert time < 1.0 + seconds + 0.3
 
 
+@pytest.mark.parametrize("number", [0, 5])
+def test_confirmed_stop_is_not_repeated(network: Network, number: int) -> None:
+    assert outcomes(network.run([(1.0, Stop(number)), (3.0, Close())])) == [number]
+    assert len(network.requests) == 1
+
+
 def test_lost_outcome_is_replaced_and_reported_once(network: Network) -> None:
     script: list[Step] = [(1.0, Stop(5)), (1.01, False), (1.1, True), (3.0, Close())]
     assert outcomes(network.run(script)) == [5]

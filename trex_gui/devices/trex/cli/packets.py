@@ -14,7 +14,7 @@ from trex_gui.devices.trex.cli.common import (
     open_line,
     polynomial_option,
 )
-from trex_gui.devices.trex.cli.motor import STOP_ID, run_motors
+from trex_gui.devices.trex.cli.motor import run_motors
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import Malformed, Packet, PacketParser
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, parse_hexadecimal
@@ -61,7 +61,7 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
     if seconds is not None and not may_move:
         raise click.UsageError("--seconds needs a motor command in PACKET.")
     if may_move:
-        numbered = enumerate(packets, STOP_ID + 1)
+        numbered = enumerate(packets, 1)  # 0 is the id of requests without an outcome
         run_motors(link, [SendPacket(number, item) for number, item in numbered], seconds)
         return
     with open_line(link) as client:

@@ -5,6 +5,7 @@ import math
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import count
 
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
@@ -171,11 +172,11 @@ class RemoteSession:
                     self._repeat_stops()
         except Exception:  # the engine may raise any error when the connection is lost
             log.info("the connection ended before the last stop was confirmed", exc_info=True)
-        try:
-            self._send(Leave())
-            self._link.close()
-        except Exception:
-            log.info("the connection was not closed properly", exc_info=True)
+        for end in (partial(self._send, Leave()), self._link.close):
+            try:
+                end()
+            except Exception:
+                log.info("the connection was not closed properly", exc_info=True)
 
     # --- The loop -----------------------------------------------------------------------
 
@@ -253,7 +254,7 @@ class RemoteSession:
         elif isinstance(inner, Arm):
             self._has_armed = True
             self._stops.clear()  # a repeated stop would stop the armed motors
-        if number := getattr(inner, "id", 0):
+        if (number := getattr(inner, "id", None)) is not None:
             self._unanswered.add(number)
         self._may_move = self._may_move or isinstance(inner, SetpointRequest)
         self._send(request)

@@ -176,8 +176,9 @@ class ServedBoard:
 
     def _step(self) -> float:
         """Apply the timeouts and end unused outboxes. Return the seconds until the next step."""
-        seconds, clients = self.server.step(), self.server.parties
-        for party in list(self._outboxes):
+        seconds = self.server.step()
+        outboxes, clients = list(self._outboxes), self.server.parties  # in this order
+        for party in outboxes:
             if party not in clients:
                 self._outboxes.pop(party).put(None)
         return seconds
@@ -241,7 +242,7 @@ class ServedBoard:
 
     def _on_request(self, sample: zenoh.Sample) -> None:
         party = self._party(sample.key_expr)
-        if party in self._present:
+        if party in self._present or party in self._outboxes:  # `Leave` may come last
             self.server.handle(party, bytes(sample.payload))
 
     def _on_client(self, sample: zenoh.Sample) -> None:
