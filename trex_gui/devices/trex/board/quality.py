@@ -30,6 +30,8 @@ _DOUBTFUL_FOR = 5.0  # seconds after a failure during which replies without CRC 
 
 @dataclass(frozen=True, slots=True)
 class _Mark:
+    """Counters at one moment."""
+
     time: float
     requests: int
     lost: int  # missing and corrupted replies

@@ -204,6 +204,8 @@ class Choice:
 
 
 class LearnedChannel:
+    """Measurements and derived values of a channel."""
+
     def __init__(self, device: Device, number: int, source: InputSource) -> None:
         parameters = device.parameters
 

@@ -82,6 +82,8 @@ class Notes(QObject):
 
 
 class SettingsDraft(QObject):
+    """Stored settings, their edits, and an undo stack."""
+
     loaded = Signal()  # the stored settings were read again
     pending_changed = Signal()  # `pending` or an edit has changed
 
