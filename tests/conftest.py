@@ -160,7 +160,8 @@ def _time(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> It
 
 @pytest.fixture(scope="session")
 def qapp(qapp: QApplication) -> QApplication:
-    """Application with its style and English plural forms, as in the program."""
+    """Application with its style and English plural forms, and a cursor that does not blink."""
+    qapp.setCursorFlashTime(0)
     install_translations(qapp, ENGLISH)
     theme().install(qapp)
     return qapp

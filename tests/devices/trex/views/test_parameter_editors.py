@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QSpinBox, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
@@ -162,6 +163,23 @@ def test_rejected_input_is_marked_until_it_is_valid(parameters: ParametersDriver
     QTest.keyClicks(editor, "2")
     assert not editor.problem
     assert not icon.isVisible()
+
+
+def test_marked_input_is_painted_completely(parameters: ParametersDriver) -> None:
+    editor = parameters.open_with_mouse("serial_timeout")
+    assert isinstance(editor, UnitSpinBox)
+
+    def painted() -> QImage:
+        QApplication.processEvents()
+        return editor.screen().grabWindow(parameters.table.winId()).toImage()
+
+    editor.selectAll()
+    QTest.keyClicks(editor, "12 kg")
+    unmarked = painted()
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    marked = painted()
+    editor.lineEdit().repaint()
+    assert unmarked != marked == painted()
 
 
 def test_keys_change_a_number(parameters: ParametersDriver) -> None:

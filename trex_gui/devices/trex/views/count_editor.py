@@ -58,6 +58,7 @@ class UnitSpinBox(QSpinBox):
     def _mark(self, problem: str) -> None:
         self._problem.setToolTip(plain(problem))
         self._problem.setVisible(bool(problem))
+        self.lineEdit().update()  # the icon moves the text, but Qt repaints only parts of it
 
     @Slot()
     def _on_text_changed(self) -> None:
