@@ -2,6 +2,8 @@
 
 import subprocess
 import sys
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 
@@ -27,6 +29,10 @@ from trex_gui import (
 from trex_gui.core.files import data_folder
 from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.transport.driven import driven_boards
+from trex_gui.devices.trex.driving.requests import MotorsStopped
+from trex_gui.devices.trex.open_board import OpenBoard, OpenSession
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 
 # --- Stops --------------------------------------------------------------------------------
 
@@ -62,6 +68,18 @@ def test_program_that_hangs_is_stopped(
     with pytest.raises(MotorsStoppedError, match="did not call the board"):
         Program(virtual_time, run).end()
     assert motor(quick_simulator) == STOPPED
+
+
+@pytest.mark.parametrize(
+    ("confirmed", "sentence"),
+    [(True, "The motors were stopped."), (False, "The stop is not confirmed.")],
+)
+def test_only_a_confirmed_stop_is_reported_as_a_stop(*, confirmed: bool, sentence: str) -> None:
+    session = cast("OpenSession", SimpleNamespace(clock=lambda: 0.0, is_armed=True))
+    board = OpenBoard(session, None, ConnectionSettings("virtual"))
+    report = MotorsStopped(ErrorCode.MAY_HAVE_RESTARTED, confirmed)
+    with pytest.raises(MotorsStoppedError, match=sentence):
+        list(board.handle(report))
 
 
 @pytest.mark.parametrize(

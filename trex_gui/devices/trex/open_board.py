@@ -46,6 +46,8 @@ _LATE = (
     "driven."
 )
 _STOP_TIMEOUT = 10.0  # maximum seconds until a stop is confirmed
+_STOPPED = "The motors were stopped."
+_UNCONFIRMED = "The stop is not confirmed. If a motor is still turning, cut its power."
 _MAX_QUEUED = 1000  # unread reports of a line, and unread events of a board
 
 
@@ -160,7 +162,7 @@ class OpenSession:
                 of_board, report = self.boards.get(report.number), report.report
                 boards = [] if of_board is None else [of_board]
             elif not isinstance(report, Closed):
-                del boards[1:]
+                del boards[1:]  # reports of the first board have no number
             for board in boards:
                 samples += ((board, sample) for sample in board.handle(report))
             self._handle(report)
@@ -191,10 +193,9 @@ class OpenSession:
         """Close the line. If a stop is unconfirmed, raise NoReply or add a note to `error`."""
         closed = self.close()
         if closed is not None and closed.may_move:
-            text = "The stop is not confirmed. If a motor is still turning, cut its power."
             if error is None:
-                raise NoReply(text)
-            error.add_note(text)
+                raise NoReply(_UNCONFIRMED)
+            error.add_note(_UNCONFIRMED)
 
 
 class OpenBoard:
@@ -208,7 +209,7 @@ class OpenBoard:
         self.mirror = BoardMirror(self.keeper.memory)
         self.mirror.adapter = adapter_key(settings.url)
         self.driven: dict[int, int] = {}  # motor → last speed sent since the last confirmed stop
-        self.errors: dict[str, None] = {}  # names of the error bits since the last status
+        self.errors: dict[str, None] = {}  # names of the error bits since the last `Trex.status`
         self.events = deque[Event](maxlen=_MAX_QUEUED)  # events since the program last read them
         self._number = number  # device number in a group; `None` for a single board
 
@@ -239,23 +240,23 @@ class OpenBoard:
                 case Sample():
                     yield event
                 case DriveLost(reason=reason) if self._number is not None:
-                    self._stop_all(reason)
+                    self._stop_all(reason)  # the other boards must not drive on without this one
                 case Event():
                     self.events.append(event)
         match report:
             case Connected(may_move=False) | MotorsStopped(confirmed=True):
                 self.driven.clear()
         match report:
-            case Connected() if self.session.is_armed:
-                self._fail(
-                    "The board was restarted, or a setting was changed. The motors were stopped."
-                )
+            case Connected(may_move=may_move) if self.session.is_armed:
+                end = _UNCONFIRMED if may_move else _STOPPED
+                self._fail(f"The board was restarted, or a setting was changed. {end}")
             case NotResponding(reason=reason):
                 self.session.is_armed = False
                 raise NoReply(self.named(f"The board has stopped responding: {reason}"))
-            case MotorsStopped(reason=code, board=number) if code is not None:
+            case MotorsStopped(reason=code, confirmed=confirmed, board=number) if code is not None:
                 cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code, (number,))
-                self._fail(f"{cause} The motors were stopped.", is_named=number is not None)
+                end = _STOPPED if confirmed else _UNCONFIRMED
+                self._fail(f"{cause} {end}", is_named=number is not None)
 
     def _handle_status(self, latched: LatchedStatus) -> None:
         self.errors |= dict.fromkeys(latched.names)
@@ -267,7 +268,7 @@ class OpenBoard:
         """If armed, stop every board and raise MotorsStoppedError."""
         if self.session.is_armed:
             self.session.stop()
-            self._fail(f"{reason} The motors were stopped.")
+            self._fail(f"{reason} {_STOPPED}")
 
     def _fail(self, text: str, *, is_named: bool = False) -> None:
         """Raise MotorsStoppedError. `is_named`: True if the text already names the board."""
