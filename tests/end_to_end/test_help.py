@@ -21,7 +21,7 @@ from trex_gui.ui.help.pages import pages
 from trex_gui.ui.translations import error_sentence
 
 
-def topic_shown(window: WindowDriver) -> str:
+def shown_topic(window: WindowDriver) -> str:
     source = window.help.findChildren(QTextBrowser)[0].source()
     return f"{source.fileName()}#{source.fragment()}".removesuffix("#")
 
@@ -33,7 +33,7 @@ def press_f1(window: WindowDriver, widget: QWidget) -> str:
     QTest.keyClick(widget.window().windowHandle(), Qt.Key.Key_F1)
     dialog = window.help
     window.wait(dialog.isVisible)
-    topic = topic_shown(window)
+    topic = shown_topic(window)
     dialog.close()
     return topic
 
@@ -94,11 +94,24 @@ def test_message_with_a_code_offers_its_help(connected_window: WindowDriver) -> 
     dialog = window.help
     window.wait(dialog.isVisible)
     section = "the-stop-was-sent-but-the-board-does-not-confirm-it"
-    assert topic_shown(window) == f"messages.md#{section}"
+    assert shown_topic(window) == f"messages.md#{section}"
 
 
-def check_log(window: WindowDriver, key: str, code: ErrorCode | RobotErrorCode, topic: str) -> None:
-    """Log two messages. Check that the help explains the message with a code."""
+@pytest.mark.parametrize(
+    ("key", "code", "topic"),
+    [
+        (
+            "trex",
+            ErrorCode.OVERTAKEN_BY_STOP,
+            "messages.md#nothing-was-sent-because-a-stop-was-requested-first",
+        ),
+        ("aracna", RobotErrorCode.STUCK, "messages.md#the-robot-is-stuck"),
+    ],
+)
+def test_logged_message_with_a_code_offers_its_help(
+    window: WindowDriver, key: str, code: ErrorCode | RobotErrorCode, topic: str
+) -> None:
+    window.program.device_manager.switch_to(key, lambda: None)
     log = window.program.workspaces[key].log
     window.program.workspaces[key].show_page("log")
     text = window.find(QPlainTextEdit, f"{key}Log")
@@ -108,19 +121,20 @@ def check_log(window: WindowDriver, key: str, code: ErrorCode | RobotErrorCode, 
     log.add(str(code.value), is_problem=True)
     text.moveCursor(QTextCursor.MoveOperation.End)
     window.click(f"{key}LogHelp")
-    assert topic_shown(window) == topic
+    assert shown_topic(window) == topic
     text.moveCursor(QTextCursor.MoveOperation.Up)
     assert not window.is_enabled(f"{key}LogHelp")
 
 
-def test_help_opens_without_a_board(window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_help_opens_without_a_board(window: WindowDriver) -> None:
     window.find(QWidget, "startFind").setFocus()
     assert press_f1(window, window.window) == "first_steps.md"
     window.trigger("line")
     dialog = window.find(QDialog, "lineSettingsDialog")
     assert press_f1(window, dialog) == trex.TOPICS["lineSettingsDialog"]
-    dialog.close()
 
+
+def test_guide_opens_only_for_a_trex(window: WindowDriver, monkeypatch: pytest.MonkeyPatch) -> None:
     opened: list[str] = []
 
     def open_url(url: QUrl) -> bool:
@@ -130,23 +144,17 @@ def test_help_opens_without_a_board(window: WindowDriver, monkeypatch: pytest.Mo
     monkeypatch.setattr(QDesktopServices, "openUrl", open_url)
     window.trigger("guide")
     assert opened == [trex.GUIDE]
-    check_log(
-        window,
-        "trex",
-        ErrorCode.OVERTAKEN_BY_STOP,
-        "messages.md#nothing-was-sent-because-a-stop-was-requested-first",
-    )
     window.program.device_manager.switch_to("aracna", lambda: None)
     assert not window.action("guide").isVisible()
-    check_log(window, "aracna", RobotErrorCode.STUCK, "messages.md#the-robot-is-stuck")
 
+
+def test_help_window_closes_with_the_main_window(window: WindowDriver) -> None:
     window.trigger("help")
     window.wait(window.help.isVisible)
-    assert (
-        window.help.windowHandle().transientParent() is None
-    )  # Windows would keep a child window in front
+    # Windows keeps a child window in front of its parent
+    assert window.help.windowHandle().transientParent() is None
     window.window.close()
-    assert not window.help.isVisible(), "it closes with the window"
+    assert not window.help.isVisible()
 
 
 def test_keys_page_lists_every_shortcut(window: WindowDriver) -> None:

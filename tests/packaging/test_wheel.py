@@ -52,16 +52,16 @@ def test_wheel_contains_every_module_and_no_other_folder(wheel_names: set[str]) 
 
 
 def test_wheel_has_version_licence_and_programs(wheel: Path) -> None:
-    information = f"trex_gui-{__version__}.dist-info"
+    dist_info = f"trex_gui-{__version__}.dist-info"
     with ZipFile(wheel) as archive:
-        metadata = archive.read(f"{information}/METADATA").decode().splitlines()
-        programs = archive.read(f"{information}/entry_points.txt").decode()
-        licence = archive.read(f"{information}/licenses/LICENSE").decode()
+        metadata = archive.read(f"{dist_info}/METADATA").decode().splitlines()
+        entry_points = archive.read(f"{dist_info}/entry_points.txt").decode()
+        licence = archive.read(f"{dist_info}/licenses/LICENSE").decode()
     assert wheel.name == f"trex_gui-{__version__}-py3-none-any.whl"
     assert {f"Version: {__version__}", "Provides-Extra: gamepad", "Provides-Extra: mcap"} <= {
         *metadata
     }
-    assert re.findall(r"^([\w-]+) = ", programs, re.MULTILINE) == [
+    assert re.findall(r"^([\w-]+) = ", entry_points, re.MULTILINE) == [
         "trex-sim",
         "trexcmd",
         "trex-gui",
@@ -69,10 +69,12 @@ def test_wheel_has_version_licence_and_programs(wheel: Path) -> None:
     assert licence.startswith("MIT License")
 
 
-def test_sdist_contains_the_files_linked_in_the_readme() -> None:
+def test_sdist_includes_the_folders_linked_in_the_readme() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     included = project["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
-    links = re.findall(r"\]\(([\w./-]+)\)", (ROOT / "README.md").read_text(encoding="utf-8"))
+    links = re.findall(
+        r"\]\(([\w./-]+)(?:#[\w-]+)?\)", (ROOT / "README.md").read_text(encoding="utf-8")
+    )
     assert "CONTRIBUTING.md" in links
     files = [link for link in links if not link.startswith("../")]  # the other links lead to GitHub
     assert {link.split("/")[0] for link in files} <= {*included}

@@ -42,14 +42,14 @@ def test_found_board_is_listed_with_port_and_settings(
     port = typed_port(quick_simulator.url)
     scanner.start([port])
     assert scanner.running
-    assert scanner.is_searching(port)
+    assert scanner.is_scanning(port)
     qtbot.waitUntil(lambda: not scanner.running)
     (finding,) = scanner.findings
     assert finding.port == port
     assert finding.text == f"TReX 1.2, device 7 on {port.url} at 19200 baud."
     assert finding.found is not None
     assert scanner.summary == "1 board found."
-    assert not scanner.is_searching(port)
+    assert not scanner.is_scanning(port)
 
 
 @pytest.mark.realtime

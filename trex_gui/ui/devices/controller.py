@@ -105,7 +105,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     def connect_to(self, port: Port) -> None:
         """Connect to a port after closing an open line and ending a scan of the port."""
         self.select(port)
-        if self._scanner.is_searching(port):
+        if self._scanner.is_scanning(port):
             self._after_scan = port
             self._scanner.cancel()
             return

@@ -28,14 +28,14 @@ class ScanWorker(WorkerThread):
     """Thread of one scan. `cancel` and `close` may be called from any thread."""
 
     stepped = Signal(int, object)  # index of the port, `ScanProgress` of the next step
-    searched = Signal(int, object)  # index of the port, `PortScan`
+    port_scanned = Signal(int, object)  # index of the port, `PortScan`
 
     def __init__(self, jobs: Sequence[ScanJob], logs: Sequence[TrafficLog]) -> None:
         super().__init__()
         self.setObjectName("ScanWorker")
-        self._open_wire: Callable[[PortSettings], Transport] = open_transport
+        self._open_port: Callable[[PortSettings], Transport] = open_transport
         for log in logs:
-            self._open_wire = logged(log.record, self._open_wire, now)
+            self._open_port = logged(log.record, self._open_port, now)
         self._jobs = tuple(jobs)
         self._cancelled = threading.Event()
 
@@ -46,9 +46,9 @@ class ScanWorker(WorkerThread):
             result = job(
                 progress=partial(self.stepped.emit, index),
                 cancelled=self._cancelled.is_set,
-                open_wire=self._open_wire,
+                open_wire=self._open_port,
             )
-            self.searched.emit(index, result)
+            self.port_scanned.emit(index, result)
 
     def cancel(self) -> None:
         """End the scan after the current probe.
@@ -94,7 +94,7 @@ class DeviceScanner(QObject):
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
         self.findings: tuple[ScanFinding, ...] = ()  # in the order of the ports
-        self._searched = 0  # number of scanned ports
+        self._scanned_count = 0
         self._only_recall = False
         self.done = 0  # probes that are done or no longer needed
         self.total = 1  # upper limit of the number of probes
@@ -108,7 +108,7 @@ class DeviceScanner(QObject):
         simulator.ready.connect(self.simulators_changed)
         simulator.ended.connect(self.simulators_changed)
 
-    def can_search(self, port: Port) -> bool:
+    def can_scan(self, port: Port) -> bool:
         """Return whether a port can be scanned. A simulated device must be running."""
         if port.kind is not PortKind.DEMO:
             return True
@@ -119,8 +119,8 @@ class DeviceScanner(QObject):
     def running(self) -> bool:
         return self._worker is not None
 
-    def is_searching(self, port: Port) -> bool:
-        return self.running and any(map(port.is_same, self._ports[self._searched :]))
+    def is_scanning(self, port: Port) -> bool:
+        return self.running and any(map(port.is_same, self._ports[self._scanned_count :]))
 
     def start(
         self, ports: Sequence[Port], *, full: bool = False, only_recall: bool = False
@@ -134,7 +134,7 @@ class DeviceScanner(QObject):
             return
         self._ports = tuple(ports)
         self.findings = ()
-        self._searched = self.done = 0
+        self._scanned_count = self.done = 0
         self._only_recall = only_recall
         self.total = 1
         self.summary = ""
@@ -143,7 +143,7 @@ class DeviceScanner(QObject):
         jobs = [self._job(port, full=full) for port in self._ports]
         self._worker = ScanWorker(jobs, self.logs)
         self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
-        self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
+        self._worker.port_scanned.connect(self._on_port_scanned, Qt.ConnectionType.QueuedConnection)
         self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
         self._worker.start()
         self.changed.emit()
@@ -164,7 +164,7 @@ class DeviceScanner(QObject):
         if worker is None:
             return True
         worker.stepped.disconnect(self._on_stepped)
-        worker.searched.disconnect(self._on_searched)
+        worker.port_scanned.disconnect(self._on_port_scanned)
         worker.finished.disconnect(self._on_worker_finished)
         in_time = worker.close()
         if not in_time:
@@ -184,11 +184,18 @@ class DeviceScanner(QObject):
             settings = PortSettings(simulator.url, name=simulator.label, timeouts=self._timeouts)
             return partial(scan, settings, probers)
         settings = PortSettings(port.url, timeouts=self._timeouts)
-        first, packed = port.device, port.settings
-        is_other = self._only_recall and (first != self.next_connection[0] or SHARED in packed)
-        if SHARED in self.next_connection[1] and not is_other:
-            first, packed = self.next_connection
+        first, packed = self._known_settings(port)
         return partial(scan, settings, probers, first=first, packed=packed)
+
+    def _known_settings(self, port: Port) -> tuple[str, str]:
+        """Return the kind of device and the packed settings that a scan tries first.
+
+        The settings of the next connection replace those of the port if they are for a shared line.
+        Exception: a recall of another kind of device, or of another shared line.
+        """
+        recalled, (next_kind, next_packed) = (port.device, port.settings), self.next_connection
+        is_other = self._only_recall and (port.device != next_kind or SHARED in port.settings)
+        return recalled if is_other or SHARED not in next_packed else self.next_connection
 
     @Slot(int, object)
     def _on_stepped(self, index: int, step: ScanProgress) -> None:
@@ -203,12 +210,12 @@ class DeviceScanner(QObject):
         self.progressed.emit()
 
     @Slot(int, object)
-    def _on_searched(self, index: int, result: PortScan) -> None:
+    def _on_port_scanned(self, index: int, result: PortScan) -> None:
         port = self._ports[index]
-        self._searched = index + 1
+        self._scanned_count = index + 1
         if result.found:
             self.findings += tuple(
-                ScanFinding(port, self._sentence(found), found, result.device)
+                ScanFinding(port, self._found_text(found), found, result.device)
                 for found in result.found
             )
         elif not result.cancelled and not self._only_recall:
@@ -221,7 +228,7 @@ class DeviceScanner(QObject):
             self.findings += (ScanFinding(port, "\n\n".join(lines), command=command),)
         self.changed.emit()
 
-    def _sentence(self, found: FoundDevice) -> str:
+    def _found_text(self, found: FoundDevice) -> str:
         settings, name = found.settings, found.name
         if found.device_number is not None:
             name = tr("{0}, device {1}").format(name, found.device_number)
@@ -236,12 +243,12 @@ class DeviceScanner(QObject):
         self._worker = None
         self.text = ""
         self.done = self.total
-        self.summary = self._sum_up()
+        self.summary = self._summary_text()
         self.changed.emit()
         self.progressed.emit()
         self.finished.emit()
 
-    def _sum_up(self) -> str:
+    def _summary_text(self) -> str:
         if self._only_recall:
             return ""
         if self.was_cancelled:

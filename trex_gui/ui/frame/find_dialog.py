@@ -160,7 +160,7 @@ class FindDialog(ReusedDialog):
         with QSignalBlocker(self._list):
             self._list.clear()
             for port in sorted(self._ports.entries, key=lambda port: port != self._first):
-                if self._scanner.can_search(port):
+                if self._scanner.can_scan(port):
                     self._list.addItem(self._item(port))
         rows = min(max(self._list.count(), 2), 6)
         height = self._list.sizeHintForRow(0)  # negative if the list is empty

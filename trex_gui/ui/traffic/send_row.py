@@ -19,6 +19,8 @@ class SendPreview:
 
 
 class PacketSender(QObject):
+    """Interprets and sends bytes that the user typed."""
+
     changed = Signal()  # `preview` may return another result
 
     hint = ""  # example input
