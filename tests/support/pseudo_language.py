@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLabel,
     QLineEdit,
+    QMenu,
     QMenuBar,
     QPlainTextEdit,
     QPushButton,
@@ -102,7 +103,7 @@ class PseudoTranslator(QTranslator):
 
 
 def untranslated(text: str) -> str:
-    """Return the untranslated part of a text, without names, units and numbers."""
+    """Return the part of a text that is not translated. Empty if it is only names and numbers."""
     plain = _HTML.sub(" ", text).replace("&", "")
     while BEGIN in plain and (inner := re.search(rf"{BEGIN}[^{BEGIN}{END}]*{END}", plain)):
         plain = plain.replace(inner[0], " ")
@@ -111,12 +112,12 @@ def untranslated(text: str) -> str:
 
 
 def shown_texts(root: QWidget) -> Iterator[tuple[str, str]]:
-    """Yield the place and the text of each visible widget below `root`."""
+    """Yield the place and the text of `root` and of each visible widget below it."""
     for widget in [root, *root.findChildren(QWidget)]:
         is_of_qt = widget.objectName().startswith(("qt_", "Scroll"))  # translated by Qt
         if not widget.isVisible() or is_of_qt or widget.objectName() in _NOT_TRANSLATED_WIDGETS:
             continue
-        where = f"{widget.objectName() or widget.metaObject().className()}"
+        where = widget.objectName() or widget.metaObject().className()
         for kind, text in _texts_of(widget):
             if text:
                 yield f"{where} {kind}", text
@@ -146,8 +147,8 @@ def _texts_of(widget: QWidget) -> Iterator[tuple[str, str]]:
         case QMenuBar():
             for menu in widget.actions():
                 yield "menu", menu.text()
-                inner = menu.menu()
-                yield from (("entry", each.text()) for each in getattr(inner, "actions", list)())
+                if isinstance(inner := menu.menu(), QMenu):
+                    yield from (("entry", each.text()) for each in inner.actions())
         case QAbstractItemView() if not isinstance(widget, QHeaderView):
             yield from _texts_of_model(widget.model())
 
@@ -179,7 +180,7 @@ def _texts_of_rows(
 
 
 def cut_texts(root: QWidget) -> Iterator[str]:
-    """Yield the visible widgets below `root` with too little space for their text."""
+    """Yield a sentence for each visible widget below `root` whose text is cut off."""
     for widget in root.findChildren(QWidget):
         if not widget.isVisible() or widget.objectName().startswith("qt_"):
             continue
@@ -187,7 +188,7 @@ def cut_texts(root: QWidget) -> Iterator[str]:
         is_area = isinstance(widget, QScrollArea) and widget.horizontalScrollBar().isVisible()
         if is_area and not isinstance(widget.parent(), QDockWidget):  # users may narrow a dock
             yield f"{where} scrolls sideways"
-        for text, needed, available in _needs(widget):
+        for text, needed, available in _space_needs(widget):
             if not text:
                 continue
             if needed.width() > available.width() or needed.height() > available.height():
@@ -217,7 +218,7 @@ def _fits_width(view: QRect, rect: QRect) -> bool:
     return view.left() <= rect.left() and rect.right() <= view.right()
 
 
-def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
+def _space_needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
     """Yield the texts of a widget, each with its required and its available size."""
     style = widget.style()
     match widget:
@@ -262,7 +263,7 @@ def _spin_box_texts(box: QAbstractSpinBox) -> Iterator[str]:
 
 
 def _size(widget: QWidget, text: str, extra: int = 0) -> QSize:
-    """Return the size of a text, with some extra width for its icon."""
+    """Return the size of a text, with `extra` pixels of width."""
     return widget.fontMetrics().size(Qt.TextFlag.TextShowMnemonic, text) + QSize(extra, 0)
 
 

@@ -15,7 +15,7 @@ from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.gamepad.profile import Axis, Style
 from trex_gui.ui.widgets.leds import Lamp
 
-HOLD, STOP = 4, 1
+HOLD = 4  # left shoulder button
 OTHER_X, OTHER_Y = 2, 3
 
 Panel = GamepadPanelPage[HeldPads]
