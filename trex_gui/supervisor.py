@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Qt, QTimer, Signal, Slot
 
 from trex_gui.core.translation import tr
-from trex_gui.core.transport.driven import driven_boards
+from trex_gui.core.transport.driven import driven_boards, left_running_text
 from trex_gui.system.signals import SignalWatch
 from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.program import Program
@@ -116,11 +116,12 @@ class SafetySupervisor(QObject):
 
         The window may no longer be open to show the warning. Call this after the line is closed.
         """
-        text = self._program.device_manager.unconfirmed_stop
+        left = "\n".join(left_running_text(*board) for board in driven_boards().items())
+        text = self._program.device_manager.unconfirmed_stop or left
         if text and sys.stderr is not None:  # `None` without a console on Windows
             sys.stderr.write(f"{text}\n")
             sys.stderr.flush()
-        return bool(text or driven_boards())
+        return bool(text)
 
     def _on_exit(self) -> None:
         """Stop the motors and exit after `sys.exit` in a slot or event handler.

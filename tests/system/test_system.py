@@ -38,12 +38,13 @@ def test_stop_is_sent_in_calling_thread_and_reported_in_gui(qtbot: QtBot) -> Non
     assert reports.args == ["reason"]
 
 
-def test_running_board_counts_as_an_unconfirmed_stop() -> None:
+def test_running_board_counts_as_an_unconfirmed_stop(capsys: pytest.CaptureFixture[str]) -> None:
     manager = SimpleNamespace(unconfirmed_stop="")
     supervisor: Any = SimpleNamespace(_program=SimpleNamespace(device_manager=manager))
     assert not SafetySupervisor.report_unconfirmed_stop(supervisor)
     left("/dev/ttyNONE")
     assert SafetySupervisor.report_unconfirmed_stop(supervisor)
+    assert capsys.readouterr().err.startswith("Motors may still be turning")
 
 
 def test_stop_raised_by_a_report_is_sent_but_not_reported(

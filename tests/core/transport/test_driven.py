@@ -8,6 +8,7 @@ import signal
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import serial
@@ -17,10 +18,11 @@ from serial.tools.list_ports_common import ListPortInfo
 from tests.support.simulator import StartSimulator
 from trex_gui.core.crash_detection import is_locked
 from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.guardian import process
 from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence, _message
 from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.guardian.process import StopMessage, maintain_file
-from trex_gui.core.transport import serial_port
+from trex_gui.core.transport import driven, serial_port
 from trex_gui.core.transport.driven import (
     driven_at,
     driven_boards,
@@ -119,6 +121,34 @@ def test_board_of_running_program_is_not_reported() -> None:
         fcntl.flock(file, fcntl.LOCK_EX)
         assert driven_boards() == {}
     assert len(driven_boards()) == 1
+
+
+def test_board_is_not_reported_while_its_file_is_removed(monkeypatch: pytest.MonkeyPatch) -> None:
+    file, found = driven_file("/dev/ttyUSB0"), []
+
+    def unlink(path: str) -> None:
+        found.append(driven_boards())
+        Path(path).unlink()
+
+    notes: queue.Queue[bytes | None] = queue.Queue()
+    for note in (b"board: TReX 1.2\n", b"", None):
+        notes.put(note)
+    monkeypatch.setattr(process, "os", SimpleNamespace(**vars(os) | {"unlink": unlink}))
+    maintain_file(str(file), notes, lambda: None)
+    assert not file.exists()
+    assert found == [{}]
+
+
+def test_board_whose_guardian_ends_meanwhile_is_not_reported(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def end_guardian(path: Path) -> bool:
+        path.unlink()
+        return False  # the lock of a removed file
+
+    left("/dev/ttyUSB0")
+    monkeypatch.setattr(driven, "is_locked", end_guardian)
+    assert driven_boards() == {}
 
 
 @pytest.mark.parametrize("text", ["", "port: x\n", "\xff\0", "line: fast N 1\n", "x" * 9999])

@@ -237,6 +237,9 @@ class StopMessage:
         self.note = bytes.fromhex(note)
 
 
+FINISHED = b"finished\n"  # content of a file that `maintain_file` is about to remove
+
+
 def maintain_file(
     path: str, notes: "queue.Queue[bytes | None]", written: Callable[[], object]
 ) -> None:
@@ -260,7 +263,7 @@ def maintain_file(
             if file is not None and note != last:
                 tail = f"{'' if b'since: ' in note else since}guardian: {os.getpid()}\n".encode()
                 file.seek(0)
-                file.truncate(file.write(note and note + tail))
+                file.truncate(file.write(note + tail if note else FINISHED))
                 last = note
                 if note:
                     written()

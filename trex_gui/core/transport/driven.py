@@ -22,7 +22,7 @@ from trex_gui.core.crash_detection import is_locked
 from trex_gui.core.errors import PortFault, PortUnavailable
 from trex_gui.core.files import data_folder, open_ordinary
 from trex_gui.core.guardian.guardian import StopSequence
-from trex_gui.core.guardian.process import StopMessage
+from trex_gui.core.guardian.process import FINISHED, StopMessage
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
@@ -120,13 +120,14 @@ def _read_files(boards: DrivenBoards) -> None:
         paths += (data_folder() / "driven").glob("*.txt")
     for path in paths:
         with suppress(OSError):
+            has_guardian = is_locked(path)  # before reading, since a guardian may remove the file
             try:
                 board, pid = _read(path)
             except (ValueError, TypeError):
-                if not is_locked(path):
+                if not has_guardian:
                     boards[path] = None
                 continue
-            if not is_locked(path):
+            if not has_guardian:
                 boards[path] = board
             elif all(words in Path("/proc", pid, file).read_text() for file, words in _SUSPENDED):
                 _resumed[path] = board
@@ -135,9 +136,17 @@ def _read_files(boards: DrivenBoards) -> None:
 
 
 def _read(path: Path) -> tuple[DrivenBoard, str]:
-    """Return a file's board, and the process ID of its guardian."""
+    """Return a file's board, and the process ID of its guardian.
+
+    Raises:
+        ValueError, TypeError: the file is damaged.
+        OSError: there is no such file, or its guardian is removing it.
+    """
     with open_ordinary(path) as file:
-        lines = file.read(4096).decode(errors="replace").splitlines()
+        content = file.read(4096)
+    if content == FINISHED:
+        raise FileNotFoundError(path)
+    lines = content.decode(errors="replace").splitlines()
     name, pid, line, url, since, stop = (text.partition(": ")[2] for text in sorted(lines))
     baud, parity, stop_bits = line.split()
     settings = PortSettings(url, SerialFormat(int(baud), Parity(parity), int(stop_bits)))
