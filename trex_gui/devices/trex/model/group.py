@@ -7,6 +7,7 @@ from urllib.parse import quote
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.events import Event
 from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetpointRequest
 from trex_gui.devices.trex.driving.wheels import (
@@ -117,11 +118,9 @@ class BoardGroup(QObject):
         device = Device(self._device.notifier, self, main=self._device, number=number)
         device.driving.named = device.named
         device.connection.ready.connect(self._device.driving.repeat_stop)
-        device.events.happened.connect(lambda: self._forward_event(device))
+        device.events.happened.connect(lambda event: self._forward_event(device, event))
         return device
 
-    def _forward_event(self, device: Device) -> None:
-        if device.link is ConnectionState.DISCONNECTED:
-            return
-        newest = device.events.all[-1]
-        self._device.events.put(replace(newest, text=device.named(newest.text)))
+    def _forward_event(self, device: Device, event: Event) -> None:
+        if device.link is not ConnectionState.DISCONNECTED:
+            self._device.events.put(replace(event, text=device.named(event.text)))
