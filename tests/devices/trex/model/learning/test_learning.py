@@ -396,6 +396,16 @@ def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> Non
     assert setup.requested_tests == [(2,), (1,)]
 
 
+def test_test_is_requested_once_the_direction_is_written_too(setup: LearningSetup) -> None:
+    setup.review(1)
+    setup.learning.set_choice(1, reversed_=True)
+    setup.learning.use_values()
+    for keys, expected in (({"rc_channel_1"}, []), ({"reversed_channels"}, [(1,)])):
+        setup.device.writer.apply(keys)
+        setup.until(lambda: not setup.device.writer.running)
+        assert setup.requested_tests == expected
+
+
 @pytest.mark.parametrize(("failed", "expected"), [((2,), (1,)), ((1, 2), None)], ids=str)
 def test_only_written_channels_request_a_test(
     setup: LearningSetup, failed: tuple[int, ...], expected: tuple[int, ...] | None

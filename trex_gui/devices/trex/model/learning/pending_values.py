@@ -76,9 +76,8 @@ class PendingLearnedValues(QObject):
         are_directions_written = any(result.key == _REVERSED for result in verified)
         stored_numbers = tuple(
             number
-            for number, choice in self._unstored.items()
-            if (number in written or are_directions_written)
-            and self._device.calibrations.stored(number) == choice.calibration
+            for number in self._unstored
+            if (number in written or are_directions_written) and not self.has_edit(number)
         )
         for number in stored_numbers:
             del self._unstored[number]
