@@ -49,9 +49,10 @@ class BoardPlan:
 class ApplyToBoards(QObject):
     """Reads several boards, then writes the same settings to each.
 
-    Device numbers and serial settings stay unchanged. Silent boards, boards of another model, and
-    boards that have changed since the review are skipped. A write error or a stop of the motors
-    ends the work. Finally, the board that was selected at the start is selected again.
+    Device numbers and serial settings stay unchanged. The work continues after a board that is
+    silent, rejects writes, is of another model, or has changed since the review. Any other error,
+    or a stop by the user, ends the work. Finally, the board that was selected at the start is
+    selected again.
     """
 
     changed = Signal()  # `plans` or `is_running`
@@ -91,7 +92,7 @@ class ApplyToBoards(QObject):
             self._start(plans, is_writing=True)
 
     def cancel(self) -> None:
-        """End the work after the current board."""
+        """End the work after the current board, or at once if nothing was sent to it yet."""
         self._is_cancelled = True
         if self._device.writer.is_saving_snapshot and self._current is not None:
             self._device.writer.cancel()

@@ -25,7 +25,7 @@ _TUNED_SUFFIXES = ("acceleration", "brake_duration", "current_limit", "current_l
 _ABORT_COUNTS = 100
 """Default abort current in counts: 15 A, or 4 A on a Jr.
 
-These currents are near the continuous ratings of the drivers (13 A and 2.5 A).
+These currents exceed the continuous ratings of the drivers (13 A and 2.5 A).
 """
 
 _STEP_MS = 20  # the board updates its outputs every 10 ms
@@ -45,7 +45,7 @@ class Bench(QObject):
     serial control aborts a test. An abort stops, disarms and locks out all motors.
     """
 
-    changed = Signal()  # `plan`, `phase` or `blocker`; not emitted for new readings
+    changed = Signal()  # `plan`, `phase`, `runs` or `blocker`; not emitted for new readings
     started = Signal()
     finished = Signal(object)  # the finished `Run`, which is also the last of `runs`
 
@@ -59,7 +59,7 @@ class Bench(QObject):
         self._run: Run | None = None
         self._ends_at_limit = False
         self._ampere = 0.0  # A per count when `plan.abort_current` was set
-        self._start = self._last_reading = 0.0
+        self._started_at = self._last_reading = 0.0
         self._setpoints: list[tuple[float, int]] = []
         self._readings: list[tuple[float, float]] = []
         self._timer = new_timer(self, _STEP_MS, self._on_step)
@@ -90,7 +90,7 @@ class Bench(QObject):
             return self.runs[-1] if self.runs else None
         return replace(
             self._run,
-            ended=now() - self._start if self.is_driving else self._run.ended,
+            ended=now() - self._started_at if self.is_driving else self._run.ended,
             setpoints=tuple(self._setpoints),
             currents=tuple(self._readings),
         )
@@ -134,7 +134,7 @@ class Bench(QObject):
         if not self._motors.acquire(_HOLDER, accelerate=plan.accelerate):
             return False
         self._ends_at_limit = plan.abort_at_limit
-        self._start = self._last_reading = now()
+        self._started_at = self._last_reading = now()
         self._setpoints, self._readings = [], []
         self._run = Run(
             motor=plan.motor,
@@ -176,7 +176,7 @@ class Bench(QObject):
 
     @Slot()
     def _on_step(self) -> None:
-        elapsed, run = now() - self._start, self._run
+        elapsed, run = now() - self._started_at, self._run
         if run is None:
             return
         if self.phase is Phase.BRAKING:
@@ -199,12 +199,12 @@ class Bench(QObject):
         if run is None:
             return
         for sample in batch.samples:
-            if sample.time < self._start:
+            if sample.time < self._started_at:
                 continue  # measured before the first setpoint
             if isinstance(sample, Currents):
                 self._last_reading = sample.time
                 amps = sample.counts[run.motor - 1] * run.ampere
-                self._readings.append((sample.time - self._start, amps))
+                self._readings.append((sample.time - self._started_at, amps))
                 if amps > run.abort_current:
                     text = tr("Motor {0} drew {1:.2f} A, more than the abort current of {2:g} A.")
                     self.abort(text.format(run.motor, Number(amps), Number(run.abort_current)))
@@ -260,7 +260,7 @@ class Bench(QObject):
         elif self._motors.holder == _HOLDER:  # otherwise the motors are already stopped
             self._motors.press_stop(reason=reason)
         if self._run is not None:
-            self._run = replace(self._run, end=end, reason=reason, ended=now() - self._start)
+            self._run = replace(self._run, end=end, reason=reason, ended=now() - self._started_at)
         self.changed.emit()
 
     def _finish(self) -> None:

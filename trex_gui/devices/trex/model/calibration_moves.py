@@ -29,7 +29,7 @@ class Handle(Enum):
 
 
 def move_handle(calibration: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]:
-    """Return a calibration whose handle is as close to `count` as the board allows.
+    """Return a calibration whose handle is as close to `count` as its limits allow.
 
     Also return a sentence about the limit that stopped the handle, or an empty string.
     """

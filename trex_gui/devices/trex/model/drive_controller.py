@@ -56,7 +56,7 @@ class DriveController(QObject):
     this board do not count until it has been read.
     """
 
-    changed = Signal()  # `reaches_several` has changed, or a stop was confirmed
+    changed = Signal()  # `reaches_several`, or `may_move` after a stop or a failed selection
 
     def __init__(
         self,

@@ -47,7 +47,7 @@ class LossWhileDriven(QObject):
             self._lost_at = now()
             self._lost_place = device.driving.place
             shutdown = device.parameters.values.stored.get(ParameterKey.UART_ERROR_SHUTDOWN) or 0
-            self._has_shutdown, self._silent_for = bool(shutdown & 1), None
+            self._has_shutdown, self._silent_for = bool(shutdown & 1), None  # as in `timeout_stop`
             self._has_timed_out = False
 
     @Slot()

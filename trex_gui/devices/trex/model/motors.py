@@ -37,7 +37,7 @@ class Motors(QObject):
     acquires the motors and passes its name as `holder` with each setpoint. Until `release`, only
     its setpoints count. Setpoints outside their range raise `BadRequest`.
 
-    Set attributes through methods, except `accelerate`, `lockout` and `adapter`.
+    Set attributes through methods, except `accelerate`, `are_sides` and `adapter`.
     """
 
     arming_changed = Signal()  # `armed`, `is_available`, `stop_reason`, `locked_for`

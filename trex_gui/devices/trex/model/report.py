@@ -29,8 +29,8 @@ def status_text(device: Device) -> str:
         for entry in device.board.errors.entries
         if entry.last is not None
     ]
-    reasons = drive_statuses(drive_inputs(device))
-    lines += [f"Motors: {reason.text} {reason.remedy}".rstrip() for reason in reasons]
+    statuses = drive_statuses(drive_inputs(device))
+    lines += [f"Motors: {status.text} {status.remedy}".rstrip() for status in statuses]
     state, telemetry = device.state, device.telemetry
     if state is None:
         return "\n".join([*lines, ""])

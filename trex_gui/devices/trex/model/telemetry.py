@@ -85,7 +85,7 @@ class Telemetry(QObject):
     """
 
     updated = Signal()  # new samples, at most once per display frame
-    frame_due = Signal()  # like `updated`, but only for visible windows, and once when one is shown
+    frame_due = Signal()  # `updated` while a window is visible; also when a window becomes visible
     text_due = Signal()  # like `frame_due`, but for text: at most once per `TEXT_INTERVAL`
 
     def __init__(

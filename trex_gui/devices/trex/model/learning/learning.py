@@ -49,7 +49,7 @@ class Learning(QObject):
     The sticks move no motor. Only `use_values` edits settings. Nothing is written to the board.
     """
 
-    started = Signal()  # learning has started: rest positions will be measured
+    started = Signal()  # `start` was called; `preconditions` may still prevent learning
     changed = Signal()  # the step, `sampling`, `inputs.stalled` or a choice
     measured = Signal()  # new samples have arrived
     edited = Signal()  # the learned values are pending edits
@@ -165,7 +165,7 @@ class Learning(QObject):
             self._wait_at_rest()
 
     def repeat(self) -> None:
-        """Repeat this step. After a failure, repeat all steps."""
+        """Repeat this step. Measure again from the review. Start again after a doubt or failure."""
         match self.step:
             case LearningStep.NEUTRAL if not self.sampling:
                 self._start_sampling()
