@@ -1,5 +1,6 @@
 """Pose files in PyPose's format."""
 
+from codecs import BOM_UTF8
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -41,6 +42,15 @@ def test_byte_order_mark_is_removed_from_first_line(tmp_path: Path, first: str) 
     project = read_file(path).project
     assert project.name == ("Aracna" if "Aracna" in first else "")
     assert [pose.name for pose in project.poses] == (["b"] if project.name else ["a", "b"])
+
+
+@pytest.mark.parametrize("mark", [b"", BOM_UTF8], ids=["plain", "byte order mark"])
+def test_text_in_other_encoding_is_reported_with_its_line(tmp_path: Path, mark: bytes) -> None:
+    path = tmp_path / "old.ppr"
+    path.write_bytes(mark + f"{HEADER}Ä".encode("latin-1"))
+    first, *_ = read_file(path).findings
+    assert "not in UTF-8" in first.message
+    assert first.line == 2
 
 
 @pytest.mark.parametrize("line", ["Pose=:1, 2, 3, 4, 5, 6, 7, 8", "Pose= :1, 2", "Seq=: a|500"])

@@ -59,7 +59,7 @@ def read_file(path: Path) -> PoseFile:
     try:
         text = content.decode("utf-8")
     except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
+        line = content.count(b"\n", 0, error.start) + 1
         text = content.decode("latin-1")
         message = tr(
             "this text is not in UTF-8; it was read as Western European, and will be saved as UTF-8"
