@@ -88,6 +88,13 @@ def test_loop_includes_travel_from_last_to_first_step() -> None:
     assert list(slow_motors(steps, (1000,), repeated=True)) == [0]
 
 
+def test_first_step_of_loop_needs_time_for_longest_travel() -> None:
+    steps = (Step((500,), 0.1), Step((800,), 1.0))
+    once = slow_motors(steps, (0,))
+    assert slow_motors(steps, (0,), repeated=True) == once
+    assert slow_motors(steps, (700,), repeated=True)[0][0] > slow_motors(steps, (700,))[0][0]
+
+
 def test_motor_at_unknown_position_is_not_late() -> None:
     assert list(slow_motors((Step((1000, 1000), 0.1),), (None, 0))[0]) == [1]
 

@@ -79,7 +79,8 @@ def slow_motors(
     """
     slow = [_slow_in(step, before) for before, step in _with_starts(steps, start)]
     if repeated:
-        slow[0] |= _slow_in(steps[0], steps[-1].goals)
+        for motor, needed in _slow_in(steps[0], steps[-1].goals).items():
+            slow[0][motor] = max(needed, slow[0].get(motor, 0.0))
     return {number: motors for number, motors in enumerate(slow) if motors}
 
 
