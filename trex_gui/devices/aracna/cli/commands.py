@@ -25,10 +25,10 @@ from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES
 from trex_gui.devices.aracna.poses.playing import blend_in, clamped, motor_count_warning, steps_of
 from trex_gui.devices.aracna.poses.ppr import read_file
 from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence
-from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits, factory_limits
 from trex_gui.devices.aracna.session.messages import Play
 
-_POSITION = click.IntRange(0, 1023)
+_SETPOINT = click.IntRange(0, HIGHEST)  # position or speed of a motor
 
 _line_options = all_options(
     port_option,
@@ -79,7 +79,7 @@ def led(state: str, port: str | None, extra_timeout: float) -> None:
 
 @aracna.command()
 @_line_options
-@click.argument("values", metavar="SPEED...", nargs=-1, required=True, type=_POSITION)
+@click.argument("values", metavar="SPEED...", nargs=-1, required=True, type=_SETPOINT)
 def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> None:
     """Set the speed of every motor.
 
@@ -97,12 +97,12 @@ def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> N
 
 @aracna.command()
 @_line_options
-@click.argument("values", metavar="[POSITION...]", nargs=-1, type=_POSITION)
+@click.argument("values", metavar="[POSITION...]", nargs=-1, type=_SETPOINT)
 @click.option("--pose", "name", metavar="NAME", help="Name of a pose: built in, or from --file.")
 @click.option("--file", type=FileName(), metavar="FILE", help="Pose file (.ppr) for --pose.")
 @click.option(
     "--speed",
-    type=_POSITION,
+    type=_SETPOINT,
     default=100,
     show_default=True,
     help="Speed of every motor, 0 to 1023 (0: unlimited). The speed is set before the move.",

@@ -15,6 +15,7 @@ from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import degrees
+from trex_gui.devices.aracna.protocol.replies import UNREADABLE
 from trex_gui.devices.aracna.recording import FORMAT, Record, Report, RobotHeader
 from trex_gui.devices.aracna.session.messages import Moving, Progress, SpeedsHeld
 from trex_gui.ui.devices.connection import ConnectionState
@@ -73,7 +74,7 @@ class AracnaRecorder(RecordThread[Record]):
         if state.moved is not None:
             records.append(replace(state.moved, time=time))
         elif any(position is not None for position in state.present):
-            positions = tuple(-1 if position is None else position for position in state.present)
+            positions = tuple(UNREADABLE if value is None else value for value in state.present)
             records.append(Progress(time, positions))
         if state.speeds is not None:
             records.append(SpeedsHeld(time, state.speeds.requested, state.speeds.held))

@@ -176,11 +176,11 @@ class Robot(DeviceConnection[PortSettings]):
 
     def _request_move(self, goals: tuple[int, ...], *, dragged: bool) -> bool:
         speeds, self._follows_present = self.speeds, False
-        is_sent = self.request(
+        requested = self.request(
             lambda number: Move(number, goals, speeds, dragged), self._on_move_done
         )
-        self._pending_moves += is_sent
-        return is_sent
+        self._pending_moves += requested
+        return requested
 
     def start_drag(self) -> None:
         """Enable `drag` until `end_drag` or `halt`."""
@@ -324,7 +324,7 @@ class Robot(DeviceConnection[PortSettings]):
     # --- Outcomes -----------------------------------------------------------------------
 
     def _on_speeds_done(self, outcome: Outcome) -> None:
-        self._pending_speeds = max(self._pending_speeds - 1, 0)
+        self._pending_speeds -= 1
         if outcome.error is not None and not self._pending_speeds:  # otherwise newer speeds follow
             self._reject_because(tr("Speeds not set: {0}"), outcome.error)
 

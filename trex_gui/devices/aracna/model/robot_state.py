@@ -129,7 +129,7 @@ class RobotState:
     def may_be_moving(self) -> bool:
         """True if a motion may be running unobserved.
 
-        This includes the time before the first reply, because another host may have moved the
-        robot.
+        This includes the time before the first reply to a `.c`, because another host may have moved
+        the robot.
         """
         return self.moving is None and (self.moved is None or self.reply_lost)

@@ -114,7 +114,7 @@ class LineStats:
     replies: int = 0
     timeouts: int = 0
     corrupted: int = 0  # commands with a lost or unusable reply
-    unrecognized: int = 0  # lines that are not replies of an Aracna
+    unrecognized: int = 0  # lines other than the awaited reply; versions do not count
     restarts: int = 0
     slowest: float = 0.0  # longest round trip in seconds, without motions
 
@@ -134,7 +134,7 @@ class Connected:
 
 @dataclass(frozen=True, slots=True)
 class Restarted:
-    """The board has restarted (`.h`). Pending requests are void, but the servos keep moving."""
+    """The board has restarted (`.h`). Pending requests are void, but servos may keep moving."""
 
     time: float
     voided: bool  # True if requests were pending

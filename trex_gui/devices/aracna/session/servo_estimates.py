@@ -25,9 +25,9 @@ Therefore, speeds are set again after this time. Setting them takes `SET_SPEEDS_
 
 SPEED_VALIDITY_BEFORE_MOVE = 0.5  # validity in seconds before a single `Move`
 
-_MAX_RATIO = 1.05  # maximum accepted ratio of a speed to the needed speed
+_MAX_RATIO, _MAX_EXCESS = 1.05, 2  # a speed may exceed the needed speed by 5 % and two units
 _ARRIVED = 5  # units; a motor this close to its goal needs no motion
-MARGIN, ALLOWANCE = 1.25, 1.0  # factor on the time without load, and extra seconds
+_MARGIN, _ALLOWANCE = 1.25, 1.0  # factor on the time without load, and extra seconds
 
 
 class ServoEstimates:
@@ -106,12 +106,12 @@ class ServoEstimates:
             best = min(speed_for(distance, remaining), highest)
             speeds.append(best)
             lowest = min(speed_for(distance, seconds), highest)
-            fits &= bool(speed) and lowest <= (speed or 0) <= best * _MAX_RATIO + 2
+            fits &= bool(speed) and lowest <= (speed or 0) <= best * _MAX_RATIO + _MAX_EXCESS
         return None if fits else tuple(speeds)
 
 
 def move_timeout(expected: float) -> float:
-    return expected * MARGIN + ALLOWANCE
+    return expected * _MARGIN + _ALLOWANCE
 
 
 def _distance(start: int | None, goal: int) -> int:

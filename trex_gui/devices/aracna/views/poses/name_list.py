@@ -13,7 +13,7 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import paint_placeholder
 
-_LINES = 3
+_LINES = 3  # minimum height, in rows
 
 
 class NameList(QListWidget):
