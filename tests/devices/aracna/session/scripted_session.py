@@ -29,7 +29,7 @@ class ScriptedSession:
         self.times: list[float] = []
         self._actions: deque[tuple[float, Action]] = deque()
         self._when: deque[tuple[Callable[[Report], bool], Action]] = deque()
-        self._now: deque[Request] = deque()
+        self._due: deque[Request] = deque()
         self._end = 0.0
         self._closed = False
 
@@ -75,8 +75,8 @@ class ScriptedSession:
     def get(self, seconds: float) -> Request | None:
         end = self.line.now + seconds
         while True:
-            if self._now:
-                return self._now.popleft()
+            if self._due:
+                return self._due.popleft()
             time, action = self._actions[0] if self._actions else (self._end, None)
             if self._closed or time > end:
                 self.line.advance(end - self.line.now)
@@ -94,7 +94,7 @@ class ScriptedSession:
         elif callable(action):
             action()
         else:
-            self._now.append(action)
+            self._due.append(action)
 
     def _record(self, report: Report) -> None:
         self.reports.append(report)

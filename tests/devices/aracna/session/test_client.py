@@ -85,6 +85,8 @@ def test_line_is_busy_until_query_after_late_move_is_answered() -> None:
         pass
     with pytest.raises(BadRequest):
         client.move(THERE, 5.0)
+    received(client, 0.1)
+    client.move(THERE, 5.0)
 
 
 def test_lost_move_ends_when_following_query_is_answered() -> None:

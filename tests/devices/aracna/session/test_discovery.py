@@ -98,7 +98,7 @@ def test_aracna_reset_by_opening_port_is_found_after_boot(
     assert result.device == "aracna"
     assert ("reset the board" in result.found[0].note) == (ago == 0.0)
     assert harness.now < seconds
-    assert harness.line.station.firmware.boots == 1, "the port was opened once"
+    assert harness.line.station.firmware.boots == 1, "no probe restarts the firmware"
 
 
 def test_early_build_with_two_motors_is_found() -> None:

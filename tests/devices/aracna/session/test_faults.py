@@ -141,6 +141,12 @@ def test_servo_failing_in_motion_is_reported_as_stuck_once() -> None:
     assert outcomes[4] is not None
 
 
+def test_second_failed_servo_is_also_reported_as_stuck() -> None:
+    session = _stuck_session()
+    session.at(6.0, "servo 5 dead").at(8.0, "servo 3 alive").until(20.0).run()
+    assert [stuck.motor for stuck in session.of(Stuck)] == [3, 5]
+
+
 def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
     session = _stuck_session()
     session.at(0.9, Move(4, HERE))  # queued
@@ -246,12 +252,6 @@ def test_robot_muted_during_motion_is_reported_as_not_responding() -> None:
     assert session.line.station.firmware.boots == 1
 
 
-def test_second_failed_servo_is_also_reported_as_stuck() -> None:
-    session = _stuck_session()
-    session.at(6.0, "servo 5 dead").at(8.0, "servo 3 alive").until(20.0).run()
-    assert [stuck.motor for stuck in session.of(Stuck)] == [3, 5]
-
-
 def test_move_sent_right_after_lost_reply_succeeds() -> None:
     """The move waits until the robot replies to `.q`."""
     session = (
@@ -265,13 +265,6 @@ def test_move_sent_right_after_lost_reply_succeeds() -> None:
     assert outcomes[3] is not None
     assert outcomes[4] is None
     assert not session.of(NotResponding)
-
-
-def test_requested_speeds_are_restored_after_sequence() -> None:
-    session = ScriptedSession().at(0.5, Move(1, HERE, SLOW)).at(1.0, Move(2, (400,) * 8, SLOW))
-    session.at(1.1, SetSpeeds(3, (20,) * 8)).at(1.15, Play(4, (Step((420,) * 8, 1.0),))).until(10.0)
-    session.run()
-    assert session.stage.speeds == (20,) * 8
 
 
 def test_session_closes_when_board_only_sends_hello() -> None:

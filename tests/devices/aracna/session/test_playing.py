@@ -11,7 +11,7 @@ from tests.devices.aracna.session.scripted_session import ScriptedSession
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.session import Outcome
-from trex_gui.devices.aracna.protocol.joints import travel_seconds
+from trex_gui.devices.aracna.protocol.joints import MAX_EFFECTIVE_SPEED, travel_seconds
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     EndPlay,
@@ -64,13 +64,12 @@ def steps_of(session: ScriptedSession) -> list[tuple[str, int, int]]:
 def test_steps_start_on_schedule_and_end_in_time(
     seconds: list[float], positions: list[int], factor: float
 ) -> None:
-    # A goal is reachable at up to 1984 units/s, in at least half of a step's time.
     steps = tuple(step(place, time) for time, place in zip(seconds, positions, strict=False))
     distances = [
         abs(a - b) for a, b in zip([512, *positions], positions[: len(steps)], strict=False)
     ]
-    reachable = all(
-        travel_seconds(distance, 870) < one.seconds * factor - 0.12
+    reachable = all(  # `.v`, `.c` and their replies take less than 0.12 s of a step
+        travel_seconds(distance, MAX_EFFECTIVE_SPEED) < one.seconds * factor - 0.12
         for distance, one in zip(distances, steps, strict=True)
     )
     session = positioned().at(1.0, Play(1, steps, time_scale=factor))
@@ -150,6 +149,13 @@ def test_first_step_from_unknown_position_is_slow() -> None:
 
 
 # --- Sequences ------------------------------------------------------------------------------
+
+
+def test_requested_speeds_are_restored_after_sequence() -> None:
+    session = ScriptedSession().at(0.5, Move(1, HERE, SLOW)).at(1.0, Move(2, (400,) * 8, SLOW))
+    session.at(1.1, SetSpeeds(3, (20,) * 8)).at(1.15, Play(4, (Step((420,) * 8, 1.0),))).until(10.0)
+    session.run()
+    assert session.stage.speeds == (20,) * 8
 
 
 def test_end_finishes_current_step_and_plays_blend_out() -> None:

@@ -61,7 +61,7 @@ def test_motor_rejecting_its_speed_is_named_and_none_moves() -> None:
 
 
 @pytest.mark.parametrize("lost", ["line drop 5", "line drop 5 sent"])
-def test_lost_speed_reply_prevents_motion(lost: str) -> None:
+def test_lost_speed_command_or_reply_prevents_motion(lost: str) -> None:
     session = ScriptedSession().at(0.2, lost).at(0.2, Move(1, THERE, SLOW))
     session.at(6.0, Move(2, THERE, SLOW)).until(10.0).run()
     assert errors(session)[1]

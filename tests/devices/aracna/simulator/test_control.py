@@ -74,7 +74,7 @@ def test_unpowered_board_rejects_reset(harness: AracnaHarness) -> None:
 
 
 def test_show_reports_led_and_servo_states(harness: AracnaHarness) -> None:
-    harness.request(b".v50,50,50,50,50,50,50,50\n.l1\n.c\n", 3)
+    harness.request(b".v50,50,50,50,50,50,50,50\n")
     harness.request(b".l1\n")
     harness.do("servo 2 dead")
     harness.line.send(b".c740,740,740,740,740,740,740,740\n")

@@ -10,7 +10,7 @@ SPEEDS = b".v50,50,50,50,50,50,50,50\n"
 GOALS = b".c800,800,800,800,800,800,800,800\n"
 
 
-def test_board_sends_hello_then_ignores_host_for_a_second() -> None:
+def test_board_sends_hello_then_reads_nothing_for_a_second() -> None:
     harness = AracnaHarness(booted=False)
     assert harness.line.read(4, 1) == HELLO
     assert harness.now == pytest.approx(0.001, abs=0.0005)

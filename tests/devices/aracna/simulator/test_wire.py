@@ -53,9 +53,9 @@ def test_board_receives_garbage_from_host_at_other_baud_rate(harness: AracnaHarn
     assert harness.line.faults.counters["garbled"] > 4
 
 
-@pytest.mark.parametrize("detection", [Parity.EVEN, Parity.ODD])
-def test_host_with_parity_gets_no_valid_reply(harness: AracnaHarness, detection: Parity) -> None:
-    harness.line.host = SerialFormat(38400, detection)
+@pytest.mark.parametrize("parity", [Parity.EVEN, Parity.ODD])
+def test_host_with_parity_gets_no_valid_reply(harness: AracnaHarness, parity: Parity) -> None:
+    harness.line.host = SerialFormat(38400, parity)
     assert VERSION not in harness.request(b".q\n" * 3)
 
 

@@ -16,7 +16,7 @@ def test_legs_with_equal_positions_are_mirrored_within_picture(pair: tuple[int, 
         assert right[0] == pytest.approx(-left[0], abs=1e-9)
         assert right[1] == pytest.approx(left[1], abs=1e-9)
     assert right_front[1] == pytest.approx(-right_back[1], abs=1e-9)
-    assert max(map(abs, (*right_front, *left_back))) <= 1.05
+    assert max(map(abs, (*right_front, *left_back))) <= 1
 
 
 def test_motors_0_and_1_are_front_left_leg() -> None:

@@ -219,7 +219,7 @@ def test_go_to_requests_positions_when_robot_is_connected(driver: PosesPageDrive
     assert driver.robot.goals == [(512, 550) * 4]
 
 
-def test_position_field_edits_pose_and_shows_clampped_value(driver: PosesPageDriver) -> None:
+def test_position_field_edits_pose_and_shows_clamped_value(driver: PosesPageDriver) -> None:
     driver.library.set_positions("stand", (512, 680) * 4)
     driver.select_row("aracnaPoses", "stand")
     field = driver.spin("aracnaPosition3")
@@ -271,7 +271,7 @@ def test_step_pose_and_time_are_edited_in_table(driver: PosesPageDriver, qtbot: 
     qtbot.waitUntil(lambda: driver.library.project.sequences[0].steps == changed)
 
 
-def test_play_requests_clampped_steps_with_selected_options(driver: PosesPageDriver) -> None:
+def test_play_requests_clamped_steps_with_selected_options(driver: PosesPageDriver) -> None:
     driver.library.set_positions("flat", (770, 40) * 4)
     driver.library.add_sequence("up", [SequenceStep("flat", 3000), SequenceStep("stand", 2000)])
     driver.connect()
