@@ -79,6 +79,8 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
     panel.wait(lambda: "holds" in gauge.toolTip())
     panel.wait_for_text("aracnaDemoState", "Idle")
 
+
+def test_lamp_and_its_text_follow_debug_led(panel: DemoRobotPanel) -> None:
     view, lamp = panel.find_only(DemoRobotView), panel.find(Lamp, "aracnaDemoLed")
     for state, led, text in (
         (FirmwareState.BOOTING, True, "LED: blinks"),

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtWidgets import QPushButton, QSpinBox
 
-from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
+from tests.support.pages.robot import POSES_PAGE, RobotWindow
 from tests.support.program import aracna
 from trex_gui.devices.aracna.session.messages import Moving
 from trex_gui.ui.runtime import now
@@ -17,10 +17,8 @@ def window(connected_window: RobotWindow) -> Iterator[RobotWindow]:
     aracna(connected_window.program).library.new()  # otherwise closing would prompt the user
 
 
-def test_gait_plays_until_stopped(window: RobotWindow) -> None:
-    robot = window.robot
+def test_poses_page_explains_its_drawing_and_offers_one_end_button(window: RobotWindow) -> None:
     window.show_page(POSES_PAGE)
-    assert window.is_enabled("aracnaPlay"), "a gait is preselected"
     caption = window.page_text("aracnaPosesPage", "aracnaCaption")
     assert "* The order of the legs is assumed" in caption
     buttons = window.find_all(QPushButton)
@@ -28,9 +26,13 @@ def test_gait_plays_until_stopped(window: RobotWindow) -> None:
         each.objectName() for each in buttons if each.isVisible() and each.text().startswith("End")
     ]
     assert ends == ["aracnaEndButton"]
-    window.show_page(ROBOT_PAGE)
+
+
+def test_gait_plays_until_stopped(window: RobotWindow) -> None:
+    robot = window.robot
     window.move()
     window.show_page(POSES_PAGE)
+    assert window.is_enabled("aracnaPlay"), "a gait is preselected"
     window.select_row("aracnaMotions", "push-ups")
     window.find(QSpinBox, "aracnaRounds").setValue(0)
     window.trigger("aracna_play")

@@ -82,13 +82,19 @@ def test_open_recording_is_not_overwritten_and_can_stop_robot(
     window.robot.halted.connect(lambda: halted.append(True))
     WidgetDriver(playback, window.qtbot).click("aracnaPlaybackStopButton")
     assert halted == [True]
+    close_recordings(window)
 
-    window.press_disconnect()
-    other = tmp_path / "other.trexrec"
-    recordings.write(other, list(recordings.session(3)))
-    manager.open_file(other)
-    window.wait_for_files()
+
+def test_recordings_close_with_main_window(window: RobotWindow, tmp_path: Path) -> None:
+    manager = aracna(window.program).workspace.recordings
+    paths = [tmp_path / f"{name}.trexrec" for name in ("first", "second", "late")]
+    for path in paths:
+        recordings.write(path, list(recordings.session(3)))
+    for path in paths[:2]:
+        manager.open_file(path)
+        window.wait_for_files()
     assert len(opened(window)) == 2
-    manager.open_file(tmp_path / "late.trexrec")
+    manager.open_file(paths[2])
     window.window.close()
+    window.wait_for_files()
     assert opened(window) == []
