@@ -82,7 +82,7 @@ class SearchField(QLineEdit):
 
     @Slot()
     def _on_chosen(self) -> None:
-        hit = self._hits.currentIndex().data(_HIT)
+        hit = self._hits.currentIndex().siblingAtColumn(0).data(_HIT)
         self._hits.hide()  # restores the focus before the hit changes it
         hit.show()
 
