@@ -3,9 +3,10 @@
 import pytest
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders
 
 
@@ -63,3 +64,16 @@ def test_point_and_comma_separate_decimals_in_every_language(qtbot: QtBot, langu
         box.lineEdit().insert(pasted)
         QTest.keyClick(box, Qt.Key.Key_Return)
         assert box.value() == 1500
+
+
+def test_large_button_follows_the_font(qtbot: QtBot, qapp: QApplication) -> None:
+    theme().install(qapp)
+    page = QWidget()
+    qtbot.addWidget(page)
+    button = builders.button(page, "stopButton", "Stop")
+    theme().set_font_size(175)
+    builders.set_large(button)
+    large = button.minimumHeight()
+    theme().set_font_size(90)
+    builders.set_large(other := builders.button(page, "otherButton", "Stop"))
+    assert button.minimumHeight() == other.minimumHeight() < large

@@ -451,12 +451,12 @@ def _tab_stops(part: QWidget) -> Iterator[QWidget]:
 
 
 def set_large(*buttons: QPushButton) -> None:
-    def fit(button: QPushButton, height: int) -> None:
+    def fit(button: QPushButton) -> None:
+        height = round(1.6 * button.fontMetrics().height()) + 18
         button.setMinimumSize(max(4 * height, button.sizeHint().width()), height)
 
     for button in buttons:
-        height = round(1.6 * button.fontMetrics().height()) + 18
-        follow_theme(button, "large", partial(fit, button, height))
+        follow_theme(button, "large", partial(fit, button))
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:
