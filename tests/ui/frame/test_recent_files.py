@@ -5,7 +5,10 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.frame.files import RecentFiles
+from tests.support.program import trex
+from tests.support.window import WindowDriver
+from trex_gui.core.resource_files import resource
+from trex_gui.ui.frame.files import RecentFile, RecentFiles
 from trex_gui.ui.preferences import Preferences
 
 pytestmark = pytest.mark.usefixtures("qapp")
@@ -39,8 +42,23 @@ def test_file_is_removed_from_the_list() -> None:
 
 
 @pytest.mark.parametrize("stored", ["", "trex", "trex settings", "\n\n", "@Invalid()"])
-def test_invalid_lines_are_ignored(stored: str) -> None:
+def test_invalid_lines_and_paths_are_ignored(stored: str) -> None:
     Preferences().set("files/recent", f"{stored}\ntrex settings /a b.txt")
     assert names(RecentFiles()) == ["a b.txt"]
     RecentFiles().add("trex", "settings", FOLDER / "two\nlines.txt")
     assert names(RecentFiles()) == ["a b.txt"]
+
+
+def test_file_whose_folder_cannot_be_read_is_not_removed(
+    window: WindowDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "rover.txt"
+    path.write_bytes((resource("samples") / "trex_factory_defaults.txt").read_bytes())
+
+    def is_file(_path: Path) -> bool:
+        raise PermissionError
+
+    monkeypatch.setattr(Path, "is_file", is_file)
+    window.window.files.open_recent(RecentFile("trex", "settings", path))
+    window.wait_for_files()
+    assert [e.document.path for e in trex(window.program).workspace.files.editors] == [path]

@@ -58,7 +58,7 @@ class RecentFiles(QObject):
 
 
 class FileOpener(QObject):
-    """Opens files in their workspaces. If none can open a file, adds all workspaces first."""
+    """Opens files in their workspaces. Adds all workspaces if none of them can open a file."""
 
     def __init__(
         self,
@@ -121,15 +121,15 @@ class FileOpener(QObject):
     def open_recent(self, file: RecentFile) -> None:
         """Open a recent file. If the file no longer exists, remove it from the list."""
 
-        def on_checked(exists: bool) -> None:
-            if exists:
+        def on_checked(is_missing: bool) -> None:
+            if not is_missing:
                 self._open_again(file)
                 return
             self.recent.remove(file)
             text = tr("{0} no longer exists and was removed from the recent files.")
             self._notifier.error.emit(text.format(file.path))
 
-        in_background(self, file.path.is_file, on_checked, lambda _: None)
+        in_background(self, partial(_is_missing, file.path), on_checked, lambda _: None)
 
     def _open_again(self, file: RecentFile) -> None:
         if all(file.device != workspace.key for workspace in self._workspaces()):
@@ -154,3 +154,10 @@ class FileOpener(QObject):
             action.setToolTip(ui.plain(str(file.path)))
             menu.addAction(action)
         menu.setEnabled(bool(files))
+
+
+def _is_missing(path: Path) -> bool:
+    try:
+        return not path.is_file()
+    except OSError:  # opening the file reports the reason
+        return False
