@@ -96,7 +96,8 @@ class Program:
     def open_file(self, path: Path, *, connecting: bool) -> None:
         """Open a file from the command line in the workspace for its type.
 
-        While the program is `connecting`, a file that needs the device waits for the connection.
+        `connecting`: a connection has been started. A kind with `open_offline` then waits for its
+        device. So does the error for a file of another device, because a connection clears errors.
         """
         key, kind = self._file_kind(path)
         is_current = key == self.device_manager.current.plugin.key

@@ -35,9 +35,10 @@ class AutoConnect(QObject):
     """Connects automatically, unless the user has disabled this.
 
     - When the program starts or an adapter is plugged in: connects to a port at which a device was
-      found before, if only one device replies. The last used port is probed first. Each port is
-      probed once, only with the settings of the device found there. A visible problem prevents
-      the connection. *Disconnect* also prevents it, until the user connects again.
+      found before, if only one device replies. At the start, the last used port is probed alone,
+      and the adapters are probed only if nothing replies there. Each port is probed once, only with
+      the settings of the device found there. A visible problem prevents the connection.
+      *Disconnect* also prevents it, until the user connects again.
     - When a missing adapter, or an adapter whose line was lost, is plugged in again: connects even
       if the name of its port has changed. Another adapter with the old name is not used.
 

@@ -36,7 +36,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     """
 
     changed = Signal()  # `link` or `status` has changed
-    line_closed = Signal(object)  # `Closed`; `None` if the session outlives the program
+    line_closed = Signal(object)  # `Closed`; `None` if the session has not ended in time
     interfered = Signal(str, object)  # sentence about another user of the port, `Remedies`
     failed = Signal(object)  # the `StudioError` that closed the line
 

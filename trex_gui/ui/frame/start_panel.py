@@ -169,7 +169,7 @@ class StartPanel(QWidget):
             self._frame.pages.tabBar().setFocus()
 
     def _on_port_clicked(self, index: int) -> None:
-        """Connect to a port. If another kind of device is known there, use that kind."""
+        """Connect to a port as this device, unless the port is assigned to a non-default kind."""
         port, ports = self._ports[index], self._frame.ports
-        is_known = port.device != ports.plugins[0].key
-        self._frame.connection.connect_to(port if is_known else ports.assign(port, self._device))
+        is_assigned = port.device != ports.plugins[0].key
+        self._frame.connection.connect_to(port if is_assigned else ports.assign(port, self._device))

@@ -60,7 +60,7 @@ class FileKind:
     suffixes: Collection[str]  # in lower case
     name: str  # with an article: "a settings file of a TReX"
     open: Callable[[Path], object]  # opens a file in the visible workspace
-    # Opens a file named on the command line if no device is connecting. `None`: use `open`.
+    # Opens a file named on the command line, unless its device is connecting. `None`: use `open`.
     open_offline: Callable[[Path], object] | None = None
 
 

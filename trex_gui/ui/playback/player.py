@@ -101,7 +101,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
     defines the curves of a device. Before the recording is loaded, only its header is available.
     """
 
-    progressed = Signal()  # `progress`, `is_busy` or `end` has changed
+    progressed = Signal()  # `progress` or `end` has changed, or the work was cancelled
     moved = Signal()  # `position` has changed
     playing_changed = Signal()
     loaded = Signal()
@@ -113,10 +113,9 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         recording: Recording[HeaderT, RecordT],
         initial: StateT,
         curves: Curves[RecordT, StateT],
-        parent: QObject | None = None,
     ) -> None:
         """`recording`: open, not loaded. `initial`: state before the recording starts."""
-        super().__init__(parent)
+        super().__init__()
         self.start = self.end = self.position = recording.header.clock
         self.speed = 1.0  # 1 is real time
         self.is_loaded = False

@@ -264,7 +264,7 @@ class RecordingWindow(QMainWindow):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._redraw.start()  # moves the words for events above the plot
+        self._redraw.start()  # moves the words of events to their new positions
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self._redraw.stop()

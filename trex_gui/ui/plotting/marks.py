@@ -56,7 +56,7 @@ def charge_text(statistics: Statistics) -> str:
 
 
 class EventMarks(Painted):
-    """Strip above the plot with a word for each event. A tool tip shows the event's text."""
+    """Strip above the plot with words for the newest events. Tool tips show the events' texts."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)

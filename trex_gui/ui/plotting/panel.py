@@ -30,7 +30,7 @@ from trex_gui.ui.widgets.labels import PageHead
 _WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # selectable spans in seconds
 _DEFAULT_SECONDS = 30.0
 _TOPS = (1, 2, 5, 10, 20, 50)  # selectable upper limits of the left axis in A
-_MAX_TOP = 1e6
+_MAX_TOP = 1e6  # largest valid saved limit in A
 _COLORS = {
     "blue": ("motor1", tr_noop("Blue")),
     "orange": ("motor2", tr_noop("Orange")),

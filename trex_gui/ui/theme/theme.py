@@ -99,8 +99,8 @@ class Theme(QObject):
 
     changed = Signal()  # the colours or the font size have changed
 
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.choice: Scheme = "system"
         self.font_size = 100  # percent of the system's font size
         self._system_was_dark = False
@@ -261,11 +261,7 @@ def set_text_color(label: QLabel, name: str) -> None:
 
 
 def set_look(widget: QWidget, look: str) -> None:
-    """Set the look of a widget to a look in `style.qss`.
-
-    Buttons: primary, stop, link or compact. Spin boxes: bare. Cards: compact. Frames: card,
-    actions, message or pill. Tab bars: choices. Vertical sliders: motor1, motor2 or auxiliary.
-    """
+    """Set the look of a widget to a look in `style.qss`. Any other name resets the look."""
     set_style_property(widget, "look", look)
 
 

@@ -72,16 +72,12 @@ class TrafficPage(View):
         parts = above, (self._view, 1), self._details, *send
         ui.column(*parts, into=self, margins=(0, 12, 0, 16))
 
-        code = partial(partial, self._copy_code)
+        copy_python = partial(self._copy_code, Language.PYTHON)
+        copy_sketch = partial(self._copy_code, Language.ARDUINO)
         for name, text, shortcut, then in (
             ("Copy", tr("&Copy"), QKeySequence.StandardKey.Copy, self._copy_rows),
-            ("CopyPython", tr("Copy as &Python"), "Ctrl+Shift+P", code(Language.PYTHON)),
-            (
-                "CopyArduino",
-                tr("Copy as &Arduino sketch"),
-                "Ctrl+Shift+A",
-                code(Language.ARDUINO),
-            ),
+            ("CopyPython", tr("Copy as &Python"), "Ctrl+Shift+P", copy_python),
+            ("CopyArduino", tr("Copy as &Arduino sketch"), "Ctrl+Shift+A", copy_sketch),
             ("Save", tr("Sa&ve as text…"), "", self._prompt_and_save),
         ):
             action = ui.action(

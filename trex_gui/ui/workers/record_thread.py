@@ -24,8 +24,8 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orph
 
 log = logging.getLogger(__name__)
 
-_COMMIT_INTERVAL = 0.5  # seconds; a crash loses no more than this
-_SYNC_INTERVAL = 5.0  # seconds; a power failure loses no more than this
+_COMMIT_INTERVAL = 0.5  # seconds; limits the loss in a crash
+_SYNC_INTERVAL = 5.0  # seconds; limits the loss in a power failure
 _SHUTDOWN_TIMEOUT_MS = 3000
 
 
