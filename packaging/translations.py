@@ -4,7 +4,8 @@
 
 The texts come from the calls of `tr` and `tr_noop` in the program, and from the parameter table.
 `lupdate` of PySide6 6.11 misses some calls in expressions, so this script searches the syntax tree.
-All texts are in one context: a text has the same translation wherever it is used.
+All texts are in one context: a text has the same translation wherever it is used,
+unless a comment distinguishes its uses.
 """
 
 import ast
@@ -54,7 +55,7 @@ Translations = dict[Text, tuple[str, ...]]  # values: one string, or one for eac
 def texts_of_module(source: str) -> Iterator[Text]:
     """Yield the translatable texts in a module."""
     if not any(f"{mark}(" in source for mark in MARKS):
-        return  # true of most modules, and parsing takes time
+        return  # most modules have no texts, and parsing takes time
     for node in ast.walk(ast.parse(source)):
         if not isinstance(node, ast.Call):
             continue
@@ -129,14 +130,14 @@ def write(path: Path, texts: Iterable[Text], known: Translations) -> int:
     return missing
 
 
-def update(path: Path, texts: Iterable[Text]) -> int:
-    """Update the texts of a file. Return the number of missing translations.
+def update(path: Path, texts: Iterable[Text]) -> tuple[int, int]:
+    """Update the texts of a file. Return the numbers of missing translations and of texts.
 
     Translations of removed texts are lost.
     """
     only_plurals = path.stem.endswith(f"_{ONLY_PLURALS}")
     wanted = [text for text in texts if text.is_plural or not only_plurals]
-    return write(path, wanted, read(path))
+    return write(path, wanted, read(path)), len(wanted)
 
 
 def compile_file(path: Path) -> None:
@@ -147,9 +148,9 @@ def compile_file(path: Path) -> None:
 def main() -> int:
     texts = program_texts()
     for path in sorted(FOLDER.glob("*.ts")):
-        missing = update(path, texts)
+        missing, count = update(path, texts)
         compile_file(path)
-        print(f"{path.name}: {missing} of {len(texts)} translations are missing")
+        print(f"{path.name}: {missing} of {count} translations are missing")
     return 0
 
 

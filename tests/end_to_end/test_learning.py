@@ -93,7 +93,7 @@ def test_all_channels_are_learned_and_tested(
     assert not learning.dialog.isVisible()
 
 
-def test_safe_start_ends_at_the_learned_rest_positions(
+def test_safe_start_and_auxiliary_follow_the_learned_rest_positions(
     connected_window: WindowDriver, learning: LearningDialog
 ) -> None:
     """With these sticks and default calibrations, safe-start would never end."""
@@ -130,15 +130,15 @@ def test_learned_values_remain_when_the_dialog_is_reopened(
     learning.use({1: Stick()})
     learning.go_to_review(1)
     page = connected_window.open_page("channelsPage")
-    requests: dict[str, Callable[[], None]] = {
+    ways_to_open: dict[str, Callable[[], None]] = {
         "page": lambda: page.click("learnButton"),
         "learn": lambda: connected_window.trigger("learn"),
         "test": lambda: connected_window.trigger("test_sticks"),
     }
-    for name, request in requests.items():
-        request()
+    for name, reopen in ways_to_open.items():
+        reopen()
         learning.hold()
-        assert learning.can_click("learnNextButton"), name
+        assert learning.has("learnReviewPage"), name
     learning.assert_nothing_changed()
 
 

@@ -3,11 +3,11 @@
 Run as `python -m tests.support.driven_window URL [TIMEOUTS [BAUD]]`. With `default` as TIMEOUTS the
 program has its own timeouts, otherwise longer ones.
 
-Each line on stdin is the name of a method of `Driver`. After `drive` the program arms and drives
-all motors, again after each stop, and prints `driving` when it first does so. Each other method
-ends this rearming. `stop_rearming` does nothing else and prints `rearming_stopped`. The rest cause
-a fault. Before the program hangs it prints `hanging`. Once some samples are recorded it prints
-`recording`.
+Each line on stdin is the name of a method of `Driver`. After `drive`, the program arms and drives
+all motors, and does so again after each stop. It prints `driving` once the motors are driven. Any
+other command ends the rearming. `stop_rearming` only prints `rearming_stopped`. The other commands
+cause a fault or an action of the user. The program prints `hanging` before it hangs, and
+`recording` after some samples are recorded.
 """
 
 import os
@@ -70,9 +70,9 @@ class Driver(QObject):
         self._program = program
         self._motors = trex(program).device.motors
         self._has_driven = False
-        self._timer = QTimer(self)
-        self._timer.timeout.connect(self._drive_if_possible)
-        self._timer.setInterval(20)
+        self._rearm_timer = QTimer(self)
+        self._rearm_timer.timeout.connect(self._drive_if_possible)
+        self._rearm_timer.setInterval(20)
         self._commands = QSocketNotifier(0, QSocketNotifier.Type.Read, self)
         self._commands.activated.connect(self._on_command)
         self._failure = QTimer(self)
@@ -101,13 +101,13 @@ class Driver(QObject):
         sys.stdout.flush()
 
     def _on_command(self) -> None:
-        self._timer.stop()
+        self._rearm_timer.stop()
         for command in os.read(0, 4096).decode().split():
             getattr(self, command)()
 
     def drive(self) -> None:
         self._has_driven = False
-        self._timer.start()
+        self._rearm_timer.start()
 
     def stop_rearming(self) -> None:
         self._print("rearming_stopped")

@@ -26,18 +26,22 @@ def message_bus() -> Iterator[tuple[str, QDBusConnection]]:
         text=True,
     ) as daemon:
         assert daemon.stdout is not None
-        address = daemon.stdout.readline().strip()
-        with connection_to(address) as connection:
-            yield address, connection
-        daemon.terminate()
+        try:
+            address = daemon.stdout.readline().strip()
+            with connection_to(address) as connection:
+                yield address, connection
+        finally:
+            daemon.terminate()
 
 
 @contextmanager
 def connection_to(address: str) -> Iterator[QDBusConnection]:
     """Open another connection to a bus."""
     name = f"bus{next(_names)}"
-    yield QDBusConnection.connectToBus(address, name)
-    QDBusConnection.disconnectFromBus(name)
+    try:
+        yield QDBusConnection.connectToBus(address, name)
+    finally:
+        QDBusConnection.disconnectFromBus(name)
 
 
 # PySide's stub does not declare ClassInfo as a decorator.
@@ -78,7 +82,7 @@ class Logind(QObject):  # type: ignore[operator]
         assert self._connection.send(message)
 
     def close(self) -> None:
-        """Unregister from the bus."""
+        """Unregister the object and close the pipes."""
         self._connection.unregisterObject(PATH)
         for end in self._ends:
             os.close(end)

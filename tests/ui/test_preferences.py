@@ -53,7 +53,7 @@ def test_unusable_value_counts_as_missing_and_is_logged(
         assert store.flag("key", default=True)
         assert store.real("key", 3.0, 0.0, 7.0) == 3.0
     is_missing = value == "@Invalid()"
-    assert ("the setting key is ignored" in caplog.text) is not is_missing
+    assert ("the preference key is ignored" in caplog.text) is not is_missing
 
 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=50)

@@ -61,7 +61,7 @@ class Preferences:
         try:
             return convert(value)
         except (ValueError, OverflowError) as error:
-            log.warning("the setting %s is ignored: %s", key, str(error)[:200])
+            log.warning("the preference %s is ignored: %s", key, str(error)[:200])
             return default
 
 
@@ -79,6 +79,7 @@ def _open() -> QSettings:
     for file in (path, folder / f"{organization}{suffix}", lock):
         if problem := _problem(file):
             _report(file, problem)
+            # No file can exist below a file, so these preferences are never saved.
             return QSettings(str(file / "unused"), QSettings.Format.IniFormat)
     remove_stale_files(path)
     return QSettings()
@@ -86,7 +87,7 @@ def _open() -> QSettings:
 
 @cache
 def _report(path: Path, problem: str) -> None:
-    log.warning("the configuration is not used: %s %s", path, problem)
+    log.warning("the preferences are not used: %s %s", path, problem)
 
 
 @cache

@@ -26,7 +26,7 @@ from trex_gui.ui.theme.theme import theme
 
 
 class CurvePlotDriver(WidgetDriver):
-    """Plot of a calibration curve with handles for the mouse."""
+    """Driver of a calibration plot and its handles."""
 
     def __init__(self, plot: CurvePlot, qtbot: QtBot) -> None:
         super().__init__(plot, qtbot)
@@ -55,8 +55,7 @@ class CurvePlotDriver(WidgetDriver):
     def drag_handle(self, handle: Handle, count: int, *, release: bool = True) -> None:
         """Drag a handle to a count in a few steps."""
         start = self.place(handle)
-        offset = 30 if handle is Handle.NEUTRAL else 0
-        end = QPoint(round(self.plot.x_of(count)), start.y() + offset)
+        end = QPoint(round(self.plot.x_of(count)), start.y())
         self.press(start)
         for step in (0.3, 0.7, 1.0):
             self.move(start + (end - start) * step)

@@ -82,12 +82,12 @@ def test_speeds_names_unresponsive_servo_and_exits_1(
 
 
 @pytest.mark.parametrize(
-    "words", [["speeds", "1", "2"], ["speeds", "1024"], ["pose", "1", "2"], ["pose"]]
+    "words", [["speeds", "1", "2"], ["speeds", "1024"], ["pose", "1", "2", "--no-limits"], ["pose"]]
 )
 def test_wrong_number_or_range_of_values_is_a_usage_error(
     trexcmd: RunCommand, words: list[str]
 ) -> None:
-    trexcmd("aracna", *words, "--no-limits" if words[0] == "pose" else "5", exits=2)
+    trexcmd("aracna", *words, exits=2)
 
 
 # --- pose -----------------------------------------------------------------------------------
@@ -127,7 +127,7 @@ def test_built_in_pose_fits_the_limits(trexcmd: RunCommand, robot: SimulatedDevi
     assert "limit" not in result.stderr
 
 
-def test_pose_is_loaded_from_file_by_name_and_clampped_to_the_limits(
+def test_named_pose_of_a_file_is_clamped_to_the_limits(
     trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     trexcmd("aracna", "pose", "--pose", "low", "--file", file, "--speed", "0")
@@ -209,7 +209,7 @@ def test_play_reports_error_of_early_step_at_the_end(
         (("--sequence", "nod", "--loop", "--rounds", "3"), 2, "not both"),
     ],
 )
-def test_play_rejects_invalid_sequence(
+def test_play_rejects_invalid_options(
     trexcmd: RunCommand, file: str, words: tuple[str, ...], code: int, message: str
 ) -> None:
     assert message in trexcmd("aracna", "play", file, *words, exits=code).stderr

@@ -39,10 +39,10 @@ def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     assert "has reached its goal" in window.text("aracnaTitle")
 
     spin_box(window, "aracnaSpeedAll").setValue(300)
-    one = spin_box(window, "aracnaSpeed7")
-    assert one.text() == "300 = 201 °/s"
-    one.setValue(0)
-    assert one.text() == "0 = unlimited"
+    last_speed = spin_box(window, "aracnaSpeed7")
+    assert last_speed.text() == "300 = 201 °/s"
+    last_speed.setValue(0)
+    assert last_speed.text() == "0 = unlimited"
     window.move()
     speeds = window.robot.state.speeds
     assert speeds is not None
@@ -71,7 +71,7 @@ def test_debug_led_is_switched_from_the_menu(connected_window: RobotWindow) -> N
     assert not action.isChecked()
 
 
-def test_goals_stay_within_limits_and_speeds_may_differ(connected_window: RobotWindow) -> None:
+def test_goals_stay_within_limits(connected_window: RobotWindow) -> None:
     window = connected_window
     assert window.drag("aracnaSlider1", 1000).value() == 550
     assert window.drag("aracnaSlider0", 0).value() == 50
@@ -92,11 +92,13 @@ def test_goals_stay_within_limits_and_speeds_may_differ(connected_window: RobotW
     window.click("aracnaFactoryLimitsButton")
     assert (low.value(), high.value()) == (0, 550)
 
-    robot = window.robot
+
+def test_common_speed_is_shown_only_if_all_speeds_are_equal(connected_window: RobotWindow) -> None:
+    window, robot = connected_window, connected_window.robot
     common, own = spin_box(window, "aracnaSpeedAll"), spin_box(window, "aracnaSpeed7")
     own.setValue(0)
     assert common.text() == "differ"
-    assert set(robot.speeds) == {0, 100}, "the remark does not change the speeds"
+    assert set(robot.speeds) == {0, 100}, "showing “differ” does not change the speeds"
     QTest.keyClick(common, Qt.Key.Key_Down)
     assert common.text() == "differ"
     QTest.keyClick(common, Qt.Key.Key_Up)
@@ -111,7 +113,7 @@ def test_goals_stay_within_limits_and_speeds_may_differ(connected_window: RobotW
     assert robot.speeds == (300,) * 8
     assert common.text() == "300 = 201 °/s"
     common.setValue(-1)
-    assert common.value() == 0, "the remark cannot be selected"
+    assert common.value() == 0, "“differ” cannot be selected"
 
 
 def test_live_goals_are_sent_until_release_or_stop(connected_window: RobotWindow) -> None:
@@ -192,7 +194,7 @@ def test_problems_page_shows_replies_and_problems(connected_window: RobotWindow)
     assert window.robot.state.stats.replies == 0, "each connection has its own counts"
 
 
-def move_by_key(window: RobotWindow) -> None:
+def trigger_move(window: RobotWindow) -> None:
     """Trigger the action of Ctrl+M, which does not change the focus."""
     count = len(window.goals)
     window.trigger("aracna_move")
@@ -200,7 +202,7 @@ def move_by_key(window: RobotWindow) -> None:
 
 
 def click_without_focus(window: RobotWindow, name: str) -> None:
-    """Click a button without focus, as on a Mac."""
+    """Click a button without giving it the focus, as on macOS."""
     window.button(name).setFocusPolicy(Qt.FocusPolicy.TabFocus)
     window.click(name)
 
@@ -208,11 +210,11 @@ def click_without_focus(window: RobotWindow, name: str) -> None:
 def test_typed_values_are_used_before_enter(connected_window: RobotWindow, tmp_path: Path) -> None:
     window, path = connected_window, tmp_path / "typed.ppr"
     window.type_unconfirmed("aracnaSpeedAll", "400")
-    move_by_key(window)
+    trigger_move(window)
     assert window.speeds[-1] == (400,) * 8
     assert window.find(QSpinBox, "aracnaSpeedAll").text() == "400 = 268 °/s"
     window.type_unconfirmed("aracnaSpeed3", "300")
-    move_by_key(window)
+    trigger_move(window)
     assert window.speeds[-1] == (400, 400, 400, 300, 400, 400, 400, 400)
 
     window.click("aracnaLimitsBox")
@@ -222,7 +224,7 @@ def test_typed_values_are_used_before_enter(connected_window: RobotWindow, tmp_p
         ("aracnaHigh0", "200", 200),
     ):
         window.type_unconfirmed(name, text)
-        move_by_key(window)
+        trigger_move(window)
         assert window.goals[-1] == (goal, *(512,) * 7), name
 
     window.click("aracnaFactoryLimitsButton")

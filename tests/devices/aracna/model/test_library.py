@@ -14,7 +14,7 @@ from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, STAND_UP
 from trex_gui.devices.aracna.poses.ppr import read_file
 from trex_gui.devices.aracna.poses.project import SequenceStep
 
-EIGHT = (1, 2, 3, 4, 5, 6, 7, 8)
+POSITIONS = (1, 2, 3, 4, 5, 6, 7, 8)
 
 
 @pytest.fixture
@@ -22,7 +22,7 @@ def library() -> Library:
     return Library()
 
 
-def opened(library: Library, path: Path) -> tuple[Finding, ...]:
+def open_file(library: Library, path: Path) -> tuple[Finding, ...]:
     """Open a pose file. Return its findings."""
     file = read_file(path)
     library.set_file(path, file)
@@ -41,11 +41,11 @@ def test_new_library_has_built_in_poses_and_is_unmodified(library: Library) -> N
 
 def test_new_pose_is_appended(library: Library, qtbot: QtBot) -> None:
     with qtbot.waitSignal(library.changed):
-        name = library.add_pose(EIGHT)
+        name = library.add_pose(POSITIONS)
     assert library.project.poses[-1].name == name == "pose"
-    assert library.project.poses[-1].positions == EIGHT
-    assert library.add_pose(EIGHT) == "pose 2"
-    assert library.add_pose(EIGHT, " mine ") == "mine"
+    assert library.project.poses[-1].positions == POSITIONS
+    assert library.add_pose(POSITIONS) == "pose 2"
+    assert library.add_pose(POSITIONS, " mine ") == "mine"
     assert library.modified
 
 
@@ -117,7 +117,7 @@ def test_unknown_name_cannot_be_edited(library: Library) -> None:
 
 def test_every_edit_can_be_undone_and_redone_in_one_step(library: Library) -> None:
     edits: list[Callable[[], object]] = [
-        lambda: library.add_pose(EIGHT, "new"),
+        lambda: library.add_pose(POSITIONS, "new"),
         lambda: library.set_positions("new", (9,) * 8),
         lambda: library.rename(ItemKind.POSE, "new", "newer"),
         lambda: library.duplicate(ItemKind.POSE, "newer"),
@@ -153,19 +153,19 @@ def test_unchanged_edit_adds_no_undo_step(library: Library) -> None:
 
 def test_saved_library_is_read_back_equal(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "mine.ppr"
-    library.add_pose(EIGHT, "mine")
+    library.add_pose(POSITIONS, "mine")
     library.add_sequence("s", [SequenceStep("mine", 700)])
     save_now(library, library.content, path)
     assert not library.modified
     assert (library.path, library.name) == (path, "mine.ppr")
     other = Library()
-    assert opened(other, path) == ()
+    assert open_file(other, path) == ()
     assert other.project == library.project
     assert not other.undo.canUndo()
 
 
 def test_undo_after_save_marks_library_modified(library: Library, tmp_path: Path) -> None:
-    library.add_pose(EIGHT)
+    library.add_pose(POSITIONS)
     save_now(library, library.content, tmp_path / "mine.ppr")
     library.undo.undo()
     assert library.modified
@@ -176,8 +176,8 @@ def test_undo_after_save_marks_library_modified(library: Library, tmp_path: Path
 def test_unreadable_lines_are_reported_and_saved_again(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "odd.ppr"
     path.write_text("Aracna:8\nPose=a:1, x\nsomething else\n", encoding="utf-8")
-    assert [finding.line for finding in opened(library, path)] == [1, 2, 3]
-    library.add_pose(EIGHT, "b")
+    assert [finding.line for finding in open_file(library, path)] == [1, 2, 3]
+    library.add_pose(POSITIONS, "b")
     save_now(library, library.content)
     text = path.read_text(encoding="utf-8")
     assert "Pose=a:1, x\nsomething else\n" in text
@@ -185,41 +185,42 @@ def test_unreadable_lines_are_reported_and_saved_again(library: Library, tmp_pat
 
 
 @pytest.mark.parametrize("data", [b"\0" * 100, b"\x7fELF\x01", b"a" * 2_000_000])
-def test_invalid_pose_file_is_rejected_and_library_kept(
-    library: Library, tmp_path: Path, data: bytes
-) -> None:
+def test_invalid_pose_file_is_rejected(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "binary.ppr"
     path.write_bytes(data)
-    library.add_pose(EIGHT)
-    before = library.project
     with pytest.raises(SettingsError):
-        opened(library, path)
-    assert library.project == before
-    assert library.undo.canUndo()
+        read_file(path)
 
 
 def test_latin_1_file_is_read_with_finding(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "old.ppr"
     path.write_bytes("Aracna:8\nPose=Füße:1\n".encode("latin-1"))
-    findings = opened(library, path)
+    findings = open_file(library, path)
     assert library.project.poses[0].name == "Füße"
     assert any("UTF-8" in finding.message for finding in findings)
 
 
-def test_failed_save_keeps_old_file_and_edits(library: Library, tmp_path: Path) -> None:
+def test_failed_save_keeps_old_file_and_edits(
+    library: Library, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def raise_disk_full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
     path = tmp_path / "mine.ppr"
     save_now(library, library.content, path)
-    library.add_pose(EIGHT)
-    with pytest.raises(SettingsError, match="no folder"):
-        save_now(library, library.content, tmp_path / "gone" / "mine.ppr")
-    assert library.path == path
+    before = path.read_bytes()
+    library.add_pose(POSITIONS)
+    monkeypatch.setattr("os.fsync", raise_disk_full)
+    with pytest.raises(SettingsError, match="No space left"):
+        save_now(library, library.content, path)
+    assert path.read_bytes() == before
     assert library.modified
     assert list(tmp_path.iterdir()) == [path]
 
 
 def test_edits_during_save_stay_unsaved(library: Library, tmp_path: Path) -> None:
     content = library.content()
-    library.add_pose(EIGHT)
+    library.add_pose(POSITIONS)
     content.record_saved(tmp_path / "mine.ppr")
     modified = [library.modified]
     library.undo.undo()
@@ -262,7 +263,7 @@ def test_gait_with_built_in_poses_adds_no_poses(library: Library) -> None:
 
 
 def test_gait_ignores_changed_pose_of_same_name(library: Library) -> None:
-    library.set_positions("flat", EIGHT)
+    library.set_positions("flat", POSITIONS)
     library.add_gait(STAND_UP)
     step = library.project.sequences[0].steps[0]
     assert step.pose_name == "stand up flat"

@@ -160,7 +160,8 @@ def test_motor_command_warns_of_a_timeout_that_may_not_stop(
     assert f'Remedy: `trexcmd set serial_timeout "0.5 s"` and {shutdown}' in errors
     quick_simulator.do("eeprom serial_timeout 5", "power cycle")
     errors = trexcmd(*run).stderr
-    assert "UART-Error Shutdown is off (twin), so the motor may keep" in errors
+    assert "UART-Error Shutdown is off, so the motor may keep" in errors
+    assert "fails (twin)." in errors
     assert f"Remedy: {shutdown}" in errors
 
 

@@ -28,7 +28,7 @@ def test_written_parameters_are_read_back(trex: Trex) -> None:
 
 @pytest.mark.parametrize("number", [0x18, 0x40, 0x7A])
 def test_unknown_parameter_write_returns_1(trex: Trex, number: int) -> None:
-    """CMD10 0xAF. There is no parameter between 0x17 and 0x7B (lists of two clients)."""
+    """CMD10 0xAF. There is no parameter between 0x17 and 0x7B (parameter lists of two clients)."""
     assert trex.request(write(number, 0)) == "01"
     assert trex.request("84") == "00"
 
@@ -88,8 +88,8 @@ def test_parameter_survives_power_cycles(trex: Trex) -> None:
         assert (trex.request_byte("9F 07"), trex.request_byte("9F 11")) == (99, 3)
 
 
-def test_parameters_0_to_16_take_effect_at_once(trex: Trex) -> None:
-    """CMD10 0xAF. The test uses the parameters whose effect the documents describe."""
+def test_parameters_with_documented_effects_act_at_once(trex: Trex) -> None:
+    """CMD10 0xAF: parameters 0x00 to 0x16."""
     trex.connect(c1="1800us", c2="1800us")
     before = trex.request("87 03")
     assert trex.request(write(0x03, 0b11)) == "00"

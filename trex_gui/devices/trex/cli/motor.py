@@ -73,7 +73,7 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.settings.board_records import BoardRecord, utc_now
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
-_SLICE = 0.02  # maximum seconds between two checks for signals
+_SIGNAL_CHECK_S = 0.02  # maximum seconds between two checks for signals
 
 
 @click.command(context_settings={"ignore_unknown_options": True})
@@ -122,19 +122,19 @@ def run_motors(
             transport = host().open_transport(settings)
         clock, wait, open_port = transport.clock, transport.wait, lambda _settings: transport
     with Interruption(must_finish=True) as interrupted:
-        end = math.inf if seconds is None else seconds
-        run = _Run(commands, end, interrupted, clock, wait, settings.group or (None,))
+        duration = math.inf if seconds is None else seconds
+        run = _Run(commands, duration, interrupted, clock, wait, settings.group or (None,))
         for board in run.boards.values():
             board.adapter = adapter_key(settings.url)
         session_at(settings, run, run.handle, open_port, clock).run()
     run.conclude()
 
 
-STOP_ID = -1  # request ID of the final stop; packets have higher IDs
+_STOP_ID = -1  # request ID of the final stop; packets have higher IDs
 
 _CAUSES = {
     TimeoutStop.OFF: "Serial Timeout is off",
-    TimeoutStop.DOUBTFUL: "UART-Error Shutdown is off (twin)",
+    TimeoutStop.DOUBTFUL: "UART-Error Shutdown is off",
     TimeoutStop.FAILED: "Serial Timeout did not stop the motors of this board when it was tried",
     TimeoutStop.REFUTED: "Serial Timeout did not stop the motors of this board when it was tried",
 }
@@ -179,7 +179,11 @@ def _stop_served(names: Sequence[str]) -> None:
         results = boards.stop(names)
     for url, error in results.items():
         say(f"{url}: {error or 'stopped.'}")
-    if not results or any(results.values()):
+    if not results:
+        raise CommandFailed(
+            "No served board was found, so no stop was sent. If a motor is turning, cut its power."
+        )
+    if any(results.values()):
         raise CommandFailed(_UNCONFIRMED)
 
 
@@ -206,7 +210,10 @@ def _stop_at(settings: ConnectionSettings) -> None:
 
 
 def _stop_problem(client: TrexClient, run: StopRun) -> str:
-    """Return the reason why a motor may still turn. Empty after a confirmed stop."""
+    """Return the reason why a motor may still turn.
+
+    Empty if the stop is confirmed and serial commands control the motors.
+    """
     if not run.is_confirmed:
         try:
             identify(client, quick=True)  # raises an error that explains a missing reply
@@ -282,7 +289,7 @@ class _Run:
 
     def get(self, seconds: float) -> Request | None:
         if not self._requests and seconds > 0:
-            self._wait(min(seconds, _SLICE))
+            self._wait(min(seconds, _SIGNAL_CHECK_S))
         now = self._now = self._clock()
         if self._interrupted or now >= self._end:
             self._finish()
@@ -312,7 +319,7 @@ class _Run:
         if not self._is_ending:
             self._is_ending = True
             self._reason = reason
-            self._requests.append(Stop(STOP_ID) if self._is_running else Close())
+            self._requests.append(Stop(_STOP_ID) if self._is_running else Close())
 
     # --- Reports ------------------------------------------------------------------------
 
@@ -341,7 +348,7 @@ class _Run:
             case GuardianChanged(is_ready=is_ready):
                 self._is_guarded = is_ready
             case Connected(state=state):
-                self._connected(number, state)
+                self._handle_connected(number, state)
             case NotResponding(reason=reason):
                 text = f"The board has stopped responding: {reason}"
                 self._finish(self._named(number, text))
@@ -353,7 +360,7 @@ class _Run:
                 self._line_error = error
 
     def _handle_outcome(self, outcome: Outcome) -> None:
-        if outcome.id == STOP_ID:
+        if outcome.id == _STOP_ID:
             self._stop_error = outcome.error
             self._requests.append(Close())
         elif outcome.error is not None:
@@ -364,7 +371,7 @@ class _Run:
             except (click.ClickException, OSError) as error:  # must not end the session early
                 self._finish(str(error))
 
-    def _connected(self, number: int | None, state: DeviceState) -> None:
+    def _handle_connected(self, number: int | None, state: DeviceState) -> None:
         board = self.boards[number]
         if not state.serial_controls:
             self._finish(self._named(number, board.control_text))
@@ -375,14 +382,15 @@ class _Run:
         timeout_stop = board.timeout_stop
         if not timeout_stop.is_reliable:
             program = "" if self._is_guarded else ", or if this program is killed"
-            verb = "may keep" if timeout_stop is TimeoutStop.DOUBTFUL else "keeps"
+            is_doubtful = timeout_stop is TimeoutStop.DOUBTFUL
+            verb, grade = ("may keep", " (twin)") if is_doubtful else ("keeps", "")
             needed = {"serial_timeout": '"0.5 s"', "uart_error_shutdown": "on"}.items()
             missing = [f"`trexcmd set {k} {v}`" for k, v in needed if not state.parameters.get(k)]
             remedy = " and ".join(missing)
             warning = "Warning" if number is None else f"Warning, board {number}"
             say(
                 f"{warning}: {_CAUSES[timeout_stop]}, so the motor {verb} running if the cable or "
-                f"this computer fails{program}.{remedy and f' Remedy: {remedy}.'}"
+                f"this computer fails{program}{grade}.{remedy and f' Remedy: {remedy}.'}"
             )
 
     def _named(self, number: int | None, text: str) -> str:

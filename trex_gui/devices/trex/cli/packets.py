@@ -61,7 +61,7 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
     if seconds is not None and not may_move:
         raise click.UsageError("--seconds needs a motor command in PACKET.")
     if may_move:
-        numbered = enumerate(packets, 1)  # a rejected request 0 has no outcome
+        numbered = enumerate(packets, 1)  # a server reports no outcome of a rejected request 0
         run_motors(link, [SendPacket(number, item) for number, item in numbered], seconds)
         return
     with open_line(link) as client:

@@ -17,7 +17,7 @@ from trex_gui.ui.widgets.labels import Sign
 
 Remark = LintFinding | Finding | str  # linter finding, file finding or plain sentence
 
-_MAX_LINES = 60  # number of findings in the list; the rest are only counted
+_MAX_ROWS = 60  # number of findings in the list; the rest are only counted
 _SIGNS = {Severity.ERROR: ("error", "danger"), Severity.WARNING: ("warning", "warning")}
 
 
@@ -43,7 +43,7 @@ class FindingsList(QWidget):
         self._findings: tuple[Remark, ...] = ()
         self._with_lines = False
         self._can_accept = True
-        self._lines: list[QWidget] = []
+        self._rows: list[QWidget] = []
         self._layout = column(1, into=self, margins=0)
         self.hide()
 
@@ -74,27 +74,27 @@ class FindingsList(QWidget):
             self._fill()
 
     def _fill(self) -> None:
-        for line in self._lines:
-            self._layout.removeWidget(line)
-            line.setParent(None)
-            line.deleteLater()  # the current signal may come from one of its buttons
-        shown, more = self._findings[:_MAX_LINES], len(self._findings) - _MAX_LINES
+        for item in self._rows:
+            self._layout.removeWidget(item)
+            item.setParent(None)
+            item.deleteLater()  # the current signal may come from one of its buttons
+        shown, more = self._findings[:_MAX_ROWS], len(self._findings) - _MAX_ROWS
         if more > 0:
             shown += (tr("and %n more", "", more),)
-        self._lines = [self._line(*numbered) for numbered in enumerate(shown)]
-        for number, line in enumerate(self._lines):
-            self._layout.insertWidget(number, line)
-        self.setVisible(bool(self._lines))
+        self._rows = [self._create_row(*numbered) for numbered in enumerate(shown)]
+        for number, item in enumerate(self._rows):
+            self._layout.insertWidget(number, item)
+        self.setVisible(bool(self._rows))
         tab_order(self._after, self)
 
-    def _line(self, number: int, finding: Remark) -> QWidget:
-        line, link = QWidget(self), partial(button, default=False)
+    def _create_row(self, number: int, finding: Remark) -> QWidget:
+        item, create_button = QWidget(self), partial(button, default=False)
         text, sign, line_number, actions = str(finding), ("info", "info"), None, list[QPushButton]()
         if isinstance(finding, LintFinding):
             text = finding.message if self._is_wide else finding.text
             sign = _SIGNS[Severity.WARNING]
-            accept = link(
-                line,
+            accept = create_button(
+                item,
                 f"{self._prefix}Accept{number}",
                 no_mnemonic(finding.proposal) if self._is_wide else tr("Accept"),
                 accessible=finding.proposal,
@@ -109,15 +109,16 @@ class FindingsList(QWidget):
         if line_number is not None and self._with_lines:
             show_line = partial(self.line_requested.emit, line_number)
             title = tr("Show line {0}").format(line_number)
-            actions.append(link(line, f"{self._prefix}Line{number}", title, on_click=show_line))
+            name = f"{self._prefix}Line{number}"
+            actions.append(create_button(item, name, title, on_click=show_line))
         text = f"{text[:1].upper()}{text[1:]}"
-        message = label(line, f"{self._prefix}Finding{number}", text, wrap=True, expand=True)
-        mark = Sign(line)
+        message = label(item, f"{self._prefix}Finding{number}", text, wrap=True, expand=True)
+        mark = Sign(item)
         mark.show_sign(*sign)
         for action in actions:
             if self._is_wide:
                 set_look(action, "link")
         below = row(*actions, 1) if self._is_wide else row(1, *actions)
         right = column(message, *([below] if actions else []), margins=0, spacing=0)
-        row((mark, 0, Qt.AlignmentFlag.AlignTop), (right, 1), into=line, margins=0)
-        return line
+        row((mark, 0, Qt.AlignmentFlag.AlignTop), (right, 1), into=item, margins=0)
+        return item

@@ -98,7 +98,7 @@ class HistoryDialog(ReusedDialog):
         self._save.clicked.connect(self._on_save_clicked)
         self._name.clicked.connect(self._on_name_clicked)
         self._delete.clicked.connect(self._on_delete_clicked)
-        self._search.textChanged.connect(self._table.set_words)
+        self._search.textChanged.connect(self._table.set_search_text)
         self._table.listed.connect(self._on_listed)
         self._table.loaded.connect(self._refresh_timer.start)
         self._table.failed.connect(self._banner.show_problem)
@@ -139,7 +139,7 @@ class HistoryDialog(ReusedDialog):
     def _selected(self) -> tuple[Snapshot, ...]:
         """Selected snapshots, newest first."""
         rows = sorted(index.row() for index in self._view.selectionModel().selectedRows())
-        return tuple(self._table.snapshots[row] for row in rows)
+        return tuple(self._table.matches[row] for row in rows)
 
     def _select(self, path: Path | None, fallback_row: int = 0) -> None:
         """Select a snapshot, or `fallback_row` if the snapshot is not listed."""
@@ -152,7 +152,7 @@ class HistoryDialog(ReusedDialog):
     @Slot()
     def _on_selection_changed(self) -> None:
         if selected := self._selected:
-            self._newest_selected = self._table.snapshots.index(selected[0]), selected[0].path
+            self._newest_selected = self._table.matches.index(selected[0]), selected[0].path
         self._refresh_timer.start()
 
     @Slot()
@@ -161,13 +161,13 @@ class HistoryDialog(ReusedDialog):
         if count and not self._selected:
             row, path = self._newest_selected
             self._select(path, row)
-        self._no_match.setVisible(bool(self._table.listing) and count == 0)
+        self._no_match.setVisible(bool(self._table.all_snapshots) and count == 0)
         self._fit_columns()
         self._refresh_selection()
 
     def _fit_columns(self) -> None:
         """Fit the columns to the first list of snapshots only."""
-        if self._is_fitted or not self._table.snapshots:
+        if self._is_fitted or not self._table.matches:
             return
         self._is_fitted = True
         self._view.resizeColumnsToContents()
@@ -200,7 +200,7 @@ class HistoryDialog(ReusedDialog):
     def _refresh_selection(self) -> None:
         self._refresh_timer.stop()
         selected = self._selected
-        self._pages.setCurrentIndex(int(self._table.listing == ()))
+        self._pages.setCurrentIndex(int(self._table.all_snapshots == ()))
         if self.focusWidget() is self._pages.currentWidget():  # the hidden list had the focus
             self._close.setFocus()
         self._pane.show_snapshots(selected)

@@ -99,16 +99,16 @@ def test_damage_is_shown_until_the_file_is_repaired(table: HistoryTable) -> None
     intact = path.read_text(encoding="utf-8")
     path.write_text(f"{intact}nonsense: 3\n" * 9, encoding="utf-8")
     refresh(table)
-    assert not table.problem_of(table.snapshots[0])
-    assert "more errors are not listed" in str(content_of(table, table.snapshots[0]))
-    assert "not listed" in table.problem_of(table.snapshots[0])
+    assert not table.problem_of(table.matches[0])
+    assert "more errors are not listed" in str(content_of(table, table.matches[0]))
+    assert "not listed" in table.problem_of(table.matches[0])
     assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
     refresh(table)
-    assert table.problem_of(table.snapshots[0])
+    assert table.problem_of(table.matches[0])
     path.write_text(intact, encoding="utf-8")
     refresh(table)
-    assert not table.problem_of(table.snapshots[0])
-    assert isinstance(content_of(table, table.snapshots[0]), Settings)
+    assert not table.problem_of(table.matches[0])
+    assert isinstance(content_of(table, table.matches[0]), Settings)
 
     path.write_text("rubbish", encoding="utf-8")
     refresh(table)
@@ -120,13 +120,13 @@ def test_damage_is_shown_until_the_file_is_repaired(table: HistoryTable) -> None
 def test_snapshot_is_reloaded_only_after_a_file_change(table: HistoryTable) -> None:
     path = create_snapshot(table.history).path
     refresh(table)
-    first = content_of(table, table.snapshots[0])
+    first = content_of(table, table.matches[0])
     refresh(table)
-    assert table.content_of(table.snapshots[0]) is first
+    assert table.content_of(table.matches[0]) is first
     text = path.read_text(encoding="utf-8")
     path.write_text(text.replace("motor_mode: 0", "motor_mode: 1 "), encoding="utf-8")
     refresh(table)
-    settings = content_of(table, table.snapshots[0])
+    settings = content_of(table, table.matches[0])
     assert isinstance(settings, Settings)
     assert settings.parameters["motor_mode"] == 1
 
@@ -148,11 +148,11 @@ def test_snapshots_are_read_only_in_background_threads(
         monkeypatch.setattr(SettingsHistory, name, record_call)
     table.refresh()
     assert table.rowCount() == 1
-    assert table.content_of(table.snapshots[0]) is None
+    assert table.content_of(table.matches[0]) is None
     assert calls == []
     wait_for_threads()
     assert set(calls) == {"files", "read_header", "load"}
-    assert isinstance(table.content_of(table.snapshots[0]), Settings)
+    assert isinstance(table.content_of(table.matches[0]), Settings)
 
 
 def test_neighbour_is_the_next_snapshot_of_the_same_product(table: HistoryTable) -> None:
@@ -189,7 +189,7 @@ def test_search_words_match_in_every_column(table: HistoryTable, words: str, cou
         table.history, noon, reason="restore-defaults", adapter="CP2102 (COM9)", device_number=9
     )
     refresh(table)
-    table.set_words(words)
+    table.set_search_text(words)
     assert table.rowCount() == count
 
 

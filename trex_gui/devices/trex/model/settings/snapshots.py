@@ -67,40 +67,40 @@ class SnapshotTable(QAbstractTableModel):
     def __init__(self, history: SettingsHistory, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._history = history
-        self.snapshots: list[Snapshot] = []
-        self.listing: tuple[Snapshot, ...] | None = None  # `None` until the folder is read
+        self.matches: list[Snapshot] = []
+        self.all_snapshots: tuple[Snapshot, ...] | None = None  # `None` until the folder is read
         self._contents: dict[Path, tuple[Stamp, Settings | str]] = {}  # settings or damage
         self._loading: set[Path] = set()
         self._words: list[str] = []
         self._cancel: Callable[[], None] = lambda: None
 
-    def set_words(self, text: str) -> None:
+    def set_search_text(self, text: str) -> None:
         self._words = text.casefold().split()
-        if self.listing is not None:
+        if self.all_snapshots is not None:
             self.beginResetModel()
-            self.snapshots = self._matching(self.listing)
+            self.matches = self._matching(self.all_snapshots)
             self.endResetModel()
             self.listed.emit()
 
     def refresh(self) -> None:
         self._cancel()
-        known = {snapshot.path: snapshot for snapshot in self.listing or ()}
+        known = {snapshot.path: snapshot for snapshot in self.all_snapshots or ()}
         read = partial(_read, self._history, known)
         self._cancel = start_in_background(
             self, read, self._on_read, lambda error: self.failed.emit(str(error))
         )
 
-    def _on_read(self, listing: tuple[Snapshot, ...]) -> None:
-        self.listing = listing
-        matching = self._matching(listing)
-        renew_rows(self, self.snapshots, matching, lambda snapshot: snapshot.path)
-        self.snapshots[:] = matching  # equal snapshots may have different stamps
+    def _on_read(self, snapshots: tuple[Snapshot, ...]) -> None:
+        self.all_snapshots = snapshots
+        matching = self._matching(snapshots)
+        renew_rows(self, self.matches, matching, lambda snapshot: snapshot.path)
+        self.matches[:] = matching  # equal snapshots may have different stamps
         if matching:  # `today` becomes `yesterday` at midnight
             self._emit_changed(0, len(matching) - 1)
         self.listed.emit()
 
-    def _matching(self, listing: tuple[Snapshot, ...]) -> list[Snapshot]:
-        return [snapshot for snapshot in listing if not self._words or self._matches(snapshot)]
+    def _matching(self, snapshots: tuple[Snapshot, ...]) -> list[Snapshot]:
+        return [snapshot for snapshot in snapshots if not self._words or self._matches(snapshot)]
 
     def _matches(self, snapshot: Snapshot) -> bool:
         text = " ".join((*self._cells(snapshot), self._tip(snapshot))).casefold()
@@ -110,23 +110,23 @@ class SnapshotTable(QAbstractTableModel):
         self.dataChanged.emit(self.index(first, 0), self.index(last, self.columnCount() - 1))
 
     def row_of(self, path: Path) -> int | None:
-        rows = enumerate(self.snapshots)
+        rows = enumerate(self.matches)
         return next((row for row, snapshot in rows if snapshot.path == path), None)
 
     def neighbor(self, snapshot: Snapshot) -> Snapshot | None:
-        """Return the nearest undamaged snapshot of the same model.
-
-        Newer snapshots are preferred.
-        """
+        """Return the next newer undamaged snapshot of the same product, or else the next older."""
         row = self.row_of(snapshot.path)
         if row is None:
             return None
-        others = [*reversed(self.snapshots[:row]), *self.snapshots[row + 1 :]]
+        others = [*reversed(self.matches[:row]), *self.matches[row + 1 :]]
         same_model = (other for other in others if other.product == snapshot.product)
         return next((other for other in same_model if not self.problem_of(other)), None)
 
     def content_of(self, snapshot: Snapshot) -> Settings | str | None:
-        """Return the settings, or a description of the damage. `None` while loading."""
+        """Return the settings, or a description of the damage.
+
+        If neither is known yet, load the file in a thread and return `None`.
+        """
         stamp, content = self._contents.get(snapshot.path, (None, None))
         if stamp == snapshot.stamp:
             return content
@@ -145,7 +145,7 @@ class SnapshotTable(QAbstractTableModel):
         self._loading.discard(snapshot.path)
         self._contents[snapshot.path] = (snapshot.stamp, content)
         row = self.row_of(snapshot.path)
-        if row is not None:  # the snapshot may be damaged
+        if row is not None:  # the file may be damaged
             self._emit_changed(row, row)
         self.loaded.emit()
 
@@ -156,7 +156,7 @@ class SnapshotTable(QAbstractTableModel):
         return content if is_current and isinstance(content, str) else snapshot.problem
 
     def rowCount(self, parent: Index | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(self.snapshots)
+        return 0 if parent is not None and parent.isValid() else len(self.matches)
 
     def columnCount(self, parent: Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else len(SnapshotColumn)
@@ -178,7 +178,7 @@ class SnapshotTable(QAbstractTableModel):
         if role != Qt.ItemDataRole.EditRole or str(value) == self.data(index):
             return False
         text = {_LABELS[SnapshotColumn(index.column())]: str(value)}
-        label = partial(self._history.label, self.snapshots[index.row()], **text)
+        label = partial(self._history.label, self.matches[index.row()], **text)
         in_background(
             self, label, lambda _: self.refresh(), lambda error: self.failed.emit(str(error))
         )
@@ -187,7 +187,7 @@ class SnapshotTable(QAbstractTableModel):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         if not index.isValid():
             return None
-        snapshot = self.snapshots[index.row()]
+        snapshot = self.matches[index.row()]
         match role:
             case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.EditRole:
                 return self._cells(snapshot)[index.column()]
