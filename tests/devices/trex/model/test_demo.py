@@ -6,6 +6,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.demo_panels import RecordingSimulator
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.demo import (
     BOOT_TEXTS,
     DemoBoard,
@@ -60,16 +61,16 @@ def test_new_board_starts_in_serial_mode_with_automatic_sticks(board: RecordingD
     assert board.automatic == frozenset(CHANNELS)
 
 
-def test_unwatched_board_is_not_polled(board: RecordingDemoBoard) -> None:
+def test_unwatched_board_is_not_polled(
+    board: RecordingDemoBoard, virtual_time: VirtualRuntime
+) -> None:
     board.watch(False)
     board.watch(True)  # requests a snapshot at once
     board.watch(False)
     board.simulator.lines.clear()
     board.set_mix(True)
-    replies: list[str] = []
-    board.simulator.send("jumper mix on", replies.append)
-    board.wait(lambda: replies != [])
-    assert board.simulator.lines == ["jumper mix on", "jumper mix on"]
+    virtual_time.advance(1.0)
+    assert board.simulator.lines == ["jumper mix on"]
 
 
 def test_end_of_the_simulator_clears_the_snapshot(board: RecordingDemoBoard, qtbot: QtBot) -> None:
@@ -262,6 +263,7 @@ def test_replugged_cable_is_reachable_at_the_reported_url(
 def test_factory_reset_restores_board_and_sticks(board: RecordingDemoBoard) -> None:
     board.set_mode_jumper("rc")
     board.power_cycle()
+    board.wait(lambda: snapshot_of(board).mode is Mode.RC)
     board.hold_stick(1, 1100)
     board.set_silent(4, True)
     board.set_noise(0.02)

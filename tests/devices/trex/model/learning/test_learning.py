@@ -161,7 +161,7 @@ def test_learning_fails_if_the_stop_is_unconfirmed(setup: LearningSetup) -> None
     setup.simulator.do("line mute on")
     setup.learning.start((1,))
     setup.until_step(LearningStep.FAILED)
-    assert setup.learning.problem
+    assert "the stop of the motors is not confirmed" in setup.learning.problem
 
 
 @pytest.mark.parametrize(
@@ -236,7 +236,8 @@ def test_current_after_the_stop_needs_a_check_by_the_user(setup: LearningSetup) 
 def test_stick_test_starts_once_the_current_has_ended(setup: LearningSetup) -> None:
     setup.simulator.do("current 1 2.0")
     setup.learning.start_test((1,))
-    setup.until(lambda: not setup.device.may_move)
+    count = setup.device.telemetry.samples
+    setup.until(lambda: setup.device.telemetry.samples > count + 60)
     assert setup.learning.step is LearningStep.STOPPING
     setup.simulator.do("current 1 auto")
     setup.until_step(LearningStep.TEST)

@@ -127,11 +127,14 @@ def test_edit_is_shown_and_pending(model: ParameterModel, qtbot: QtBot) -> None:
     assert model.values.stored.get("serial_timeout") == SPECS["serial_timeout"].default
 
 
-def test_edit_emits_a_change_of_its_row_only(model: ParameterModel, qtbot: QtBot) -> None:
-    with qtbot.waitSignal(model.dataChanged) as changed, qtbot.assertNotEmitted(model.modelReset):
+def test_edit_changes_only_its_row_and_heading(model: ParameterModel, qtbot: QtBot) -> None:
+    changes: list[tuple[int, int]] = []
+    model.dataChanged.connect(lambda first, last: changes.append((first.row(), last.row())))
+    with qtbot.assertNotEmitted(model.modelReset):
         edit(model, "serial_timeout", 15)
     row = model.index_of("serial_timeout").row()
-    assert [index.row() for index in changed.args[:2]] == [row, row]
+    heading = next(index for index in range(row, -1, -1) if not model.rows[index].keys)
+    assert changes == [(row, row), (heading, heading)]
 
 
 def test_invalid_value_is_rejected_with_a_reason(model: ParameterModel, qtbot: QtBot) -> None:
