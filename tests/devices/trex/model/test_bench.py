@@ -250,7 +250,6 @@ def test_current_above_abort_limit_aborts_and_disarms(driving: BenchSetup) -> No
     assert driving.device.motors.stop_reason == run.reason
     assert driving.device.motors.locked_for
     assert not driving.device.motors.can_arm
-    driving.simulator.do("current 1 auto")
 
 
 def test_stalled_motor_is_stopped_within_one_second(armed: BenchSetup) -> None:

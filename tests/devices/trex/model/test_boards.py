@@ -262,8 +262,7 @@ def test_selecting_another_board_ends_held_controls(new_line: NewLine) -> None:
     motors.lockout = 0
     bench, gamepad = Bench(device), Gamepad(device, pads)
     bench.set_plan(Plan(profile=Profile(speed=40, duration=60.0)))
-    learning = Learning(device)
-    setup = RobotSetup(device, learning)
+    setup = RobotSetup(device, Learning(device))
     pulses = setup.pulses
 
     def runs(number: int) -> bool:
@@ -302,7 +301,14 @@ def test_selecting_another_board_ends_held_controls(new_line: NewLine) -> None:
         motors.stop()
     assert bench.runs[-1].reason == "Another board was selected."
     gamepad.switch_off()
-    # Measurements of the former board's sticks are cleared, too.
+    assert not harness.errors
+
+
+def test_selecting_another_board_ends_measurements_of_sticks(new_line: NewLine) -> None:
+    harness = new_line("7", "9")
+    harness.connect_known(9, 7)
+    device = harness.device
+    learning = Learning(device)
     for _ in range(3):
         device.mix_jumper.feed((60, 0), (60, -60))
     harness.wait(lambda: device.mix_jumper.is_on)
@@ -472,7 +478,7 @@ def test_first_error_while_writing_ends_the_apply(new_line: NewLine) -> None:
     assert harness.boards.selected == 9
 
 
-def test_apply_is_cancelled_between_boards(new_line: NewLine) -> None:
+def test_closed_line_ends_the_review(new_line: NewLine) -> None:
     harness = new_line("3", "7", "9")
     harness.connect_known(7, 3, 9)
     apply = ApplyHarness(harness)
@@ -481,6 +487,12 @@ def test_apply_is_cancelled_between_boards(new_line: NewLine) -> None:
     harness.connect(7)  # the line is closed and opened again
     assert not apply.is_running
     assert apply.steps == {3: BoardStep.FAILED, 7: BoardStep.SKIPPED, 9: BoardStep.SKIPPED}
+
+
+def test_apply_is_cancelled_between_boards(new_line: NewLine) -> None:
+    harness = new_line("3", "7", "9")
+    harness.connect_known(7, 3, 9)
+    apply = ApplyHarness(harness)
     apply.review_and_wait(settings_of(serial_timeout=5), 3, 7, 9)
 
     def cancel() -> None:

@@ -1,4 +1,4 @@
-"""Moves of calibration handles within the limits of the board."""
+"""Moves of calibration handles within their limits."""
 
 import pytest
 from hypothesis import given

@@ -88,9 +88,11 @@ def test_calibration_within_the_input_range_causes_no_warning() -> None:
     assert calibration_warning(CALIBRATION, InputSource.RC) == ""
     assert calibration_warning(Calibration(1250, 3750, 6250, 75), InputSource.RC) == ""
     assert calibration_warning(Calibration(0, 512, 1023, 20), InputSource.ANALOG) == ""
-    assert "reaches minimum" in calibration_warning(
-        Calibration(3700, 3750, 5000, 75), InputSource.RC
-    )
+
+
+def test_deadband_that_reaches_an_end_causes_a_warning() -> None:
+    calibration = Calibration(3700, 3750, 5000, 75)
+    assert "reaches minimum" in calibration_warning(calibration, InputSource.RC)
 
 
 @pytest.mark.parametrize(

@@ -227,6 +227,9 @@ def test_stop_without_a_reply_is_reported(connected: DeviceRecorder) -> None:
 def test_stop_without_a_connection_is_harmless(recorder: DeviceRecorder) -> None:
     recorder.device.motors.stop()
     assert recorder.failures == []
+
+
+def test_reading_without_a_connection_is_reported(recorder: DeviceRecorder) -> None:
     recorder.device.reload()
     assert recorder.failures == ["No board is connected."]
 

@@ -159,7 +159,7 @@ def test_stop_of_a_hanging_session_is_reported_once(
         ("unconfirmed", []),
     ],
 )
-def test_hanging_session_is_reported_within_a_second(
+def test_hanging_session_and_the_stop_by_the_guardian_are_reported(
     result: str, expected: list[str], driven: DrivenDevice
 ) -> None:
     warnings: list[str] = []

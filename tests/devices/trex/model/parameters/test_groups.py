@@ -105,12 +105,15 @@ def test_grouped_model_passes_qt_model_tester(
 # --- Reset and restore ------------------------------------------------------------------
 
 
-def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) -> None:
+def test_impossible_changes_are_ignored(model: ParameterModel, undo: QUndoStack) -> None:
     model.remove("serial_timeout")  # only possible in a file
     model.reset("nonsense")
     model.restore("nonsense")
     assert model.values.value_of("serial_timeout") == FACTORY["serial_timeout"]
     assert not undo.canUndo()
+
+
+def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) -> None:
     model.load(SPECS, FACTORY | {"serial_timeout": 15}, {}, power_cycled=True)
     assert text(model, "serial_timeout", ParameterRole.RESET) == "Reset to default: 0 (off)"
     model.reset("serial_timeout")

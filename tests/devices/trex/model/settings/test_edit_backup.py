@@ -333,8 +333,13 @@ def test_failing_disk_is_reported_once(run: Start, monkeypatch: pytest.MonkeyPat
     folder.unlink()
     first.edit(serial_timeout=17)
     assert len(files()) == 1
+
+
+def test_edits_in_an_unusable_folder_cannot_be_removed(tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.touch()
     with pytest.raises(SettingsError):
-        EditFiles(files()[0]).save(TREX, None)
+        EditFiles(file).save(TREX, None)
 
 
 def test_edits_are_saved_at_shutdown_if_saving_failed_before(run: Start) -> None:

@@ -25,7 +25,12 @@ def test_notes_are_cleaned_limited_and_undone(qtbot: QtBot) -> None:
         undo.undo()
     assert notes.all == {"motor_mode": "two motors"}
 
-    undo.redo()
+
+def test_undo_does_not_change_notes_of_another_board(qtbot: QtBot) -> None:
+    undo = QUndoStack()
+    notes = Notes(undo=undo)
+    notes.load({}, owner=7)
+    notes.edit("motor_mode", "two motors")
     notes.load({"motor_mode": "of another board"}, owner=9)
     undo.undo()
     assert notes.all == {"motor_mode": "of another board"}
