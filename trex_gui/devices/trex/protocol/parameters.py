@@ -343,10 +343,10 @@ class ParameterSpec:
     def _wire_of_channels(text: str) -> int | None:
         if text.casefold() in {"none", ""}:
             return 0
-        words = text.casefold().removeprefix("channel").removeprefix("s")
+        words = re.sub("^channels?", "", text.casefold())
         parts = [part for part in re.split(r"[\s,;+]+", words) if part]
         try:
-            return channel_mask(int(part) for part in parts)
+            return channel_mask(map(int, parts)) if parts else None
         except ValueError:
             return None
 
