@@ -174,4 +174,5 @@ def test_equal_commands_have_equal_hashes() -> None:
     for command, compact, _ in PACKETS:
         (event,) = PacketParser().feed(bytes.fromhex(compact))
         assert isinstance(event, Packet)
+        assert event.command == command
         assert hash(event.command) == hash(command)

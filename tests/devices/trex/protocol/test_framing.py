@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.framing import Framing, PacketParser, crc7
         ("80 07 06 1f", 0x0B),
     ],
 )
-def test_guide_packets_have_their_printed_crc(packet: str, crc: int) -> None:
+def test_crc_of_packets_matches_reference(packet: str, crc: int) -> None:
     assert crc7(bytes.fromhex(packet)) == crc
 
 

@@ -6,9 +6,9 @@ from trex_gui.core.errors import describe
 from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCode, TrexBadReplyError
 
 
-def test_every_code_has_a_sentence() -> None:
+def test_four_fields_suffice_for_every_sentence() -> None:
     for code in ErrorCode:
-        assert "{" not in describe(code, ("A", "B", "C", "D"))
+        assert describe(code, ("A", "B", "C", "D"))
 
 
 def test_error_inside_an_error_is_translated() -> None:

@@ -25,7 +25,7 @@ def test_parser_reports_missing_bytes_of_the_reply() -> None:
         (GetSignature(), b"ERROR\r\n", "not the signature of a TReX"),
         (GetMode(), b"x", "not a TReX mode"),
         (GetMode(), b"rr", "1 byte"),
-        (GetMode(), b"\x82r", ""),  # an unexpected echo
+        (GetMode(), b"\x82r", "1 byte"),  # an unexpected echo
     ],
 )
 def test_bytes_that_are_no_reply_are_malformed_with_reason(

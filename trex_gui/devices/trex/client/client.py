@@ -131,7 +131,7 @@ class TrexClient:
         If the bytes are not a packet, all received bytes count as the reply.
 
         Raises:
-            NoReply, BadReply: as for `request`.
+            BadRequest, NoReply, BadReply: as for `request`.
         """
         if isinstance(packet, Packet):
             framing = replace(self.settings.framing, device_number=packet.device_number)

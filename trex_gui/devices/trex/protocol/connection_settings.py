@@ -50,7 +50,7 @@ class ConnectionSettings(PortSettings):
         If the text has no reserved numbers, `reserved` is unchanged.
         """
         try:
-            unshared, is_shared, reserved = text.partition(SHARED)
+            unshared, separator, reserved = text.partition(SHARED)
             baud, detection, stop_bits, number, polynomial = unshared.split(" ")
             line = LineSettings(int(baud), Detection[detection], int(stop_bits))
             line.to_wire()  # raises if no board has these settings
@@ -59,7 +59,7 @@ class ConnectionSettings(PortSettings):
                 line=line,
                 device_number=None if int(number) == -1 else int(number),
                 polynomial=check_polynomial(int(polynomial, 16)),
-                reserved=numbers_in(reserved) if is_shared else self.reserved,
+                reserved=numbers_in(reserved) if separator else self.reserved,
             )
             _ = settings.framing  # raises if the device number is missing or reserved
         except (KeyError, ValueError) as error:
@@ -79,7 +79,8 @@ class ConnectionSettings(PortSettings):
         """Return the settings for driving these boards together.
 
         Raises:
-            BadRequest: there are fewer than two numbers, or a number is repeated or reserved.
+            BadRequest: there are fewer than two numbers, or a number is repeated, reserved or not
+                0-127.
         """
         group = tuple(seven_bits(number, tr("device number")) for number in numbers)
         if len(set(group)) < 2 or len(set(group)) < len(group) or self.reserved & set(group):

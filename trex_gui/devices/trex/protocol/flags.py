@@ -196,7 +196,7 @@ class Mode(Enum):
 
     @property
     def is_serial(self) -> bool:
-        """True if the board accepts parameters and serial motor commands."""
+        """True if the board accepts writes, and serial motor commands without override."""
         return self is Mode.SERIAL_RC or self is Mode.SERIAL_ANALOG
 
     @property

@@ -158,7 +158,7 @@ class PacketParser:
         if cls is None:
             # The packet size is unknown, so every data byte that follows is reported as malformed.
             return self._reject(tr("{0:#04x} is not a TReX command").format(opcode))
-        has_crc = self._polynomial is not None and opcode != 0xFF
+        has_crc = self._polynomial is not None and cls.has_crc
         if len(buffer) < header_size + cls.data_size + has_crc:
             return None
         raw = bytes(buffer)
