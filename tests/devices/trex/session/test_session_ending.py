@@ -17,6 +17,7 @@ from tests.devices.trex.session.helpers import (
     on_write,
     outcomes,
     packet,
+    read_at,
     run_for,
     samples,
 )
@@ -26,7 +27,7 @@ from trex_gui.core.errors import PortUnavailable, StudioError
 from trex_gui.core.session import Close, Closed
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
+from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
@@ -289,6 +290,11 @@ def test_unanswered_request_gets_an_outcome(harness: SessionHarness) -> None:
 
 
 @pytest.mark.parametrize("setpoint", [SetAuxiliary(300), SetMotor(3, Drive.at(5))], ids=str)
-def test_invalid_setpoint_does_not_end_session(harness: SessionHarness, setpoint: Request) -> None:
-    harness.script.at(1.0, setpoint).at(1.2, packet(1, GetMode()))
-    assert run_for(harness, 1.5)[-1] == Closed(None)
+def test_invalid_setpoint_has_no_effect_even_on_noisy_line(
+    harness: SessionHarness, setpoint: Request
+) -> None:
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.1, setpoint)
+    harness.script.at(1.2, harness.fault(to_drop=1))
+    speeds = read_at(harness, 1.5, lambda: harness.board.motors[0].speed)
+    assert run_for(harness, 1.6)[-1] == Closed(None)
+    assert speeds == [50]

@@ -4,7 +4,6 @@ A stop is the only motor command that is sent without a request. Motor commands 
 stop is confirmed if the next status shows no UART error.
 """
 
-import logging
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -24,8 +23,6 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.protocol.commands import STOP
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-
-log = logging.getLogger(__name__)
 
 DRIVE_INTERVAL = 0.02  # minimum seconds between motor packets; the board acts every 10 ms
 
@@ -249,9 +246,6 @@ class MotorDriver:
         try:
             for command in packets(setpoints):
                 self.client.request(command)
-        except BadRequest as error:
-            self.output.retry.clear()
-            log.warning("an invalid setpoint was dropped: %s", error)
         except (NoReply, BadReply):
             self.output.setpoints.put_back(setpoints)
             raise

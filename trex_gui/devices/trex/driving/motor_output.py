@@ -4,11 +4,12 @@ It does no I/O. `motor_driver` sends the packets. `now` is the time in seconds o
 `Arming` and `Motion` change independently, with separate transition tables.
 """
 
+import logging
 import math
 from collections.abc import Callable, Mapping, Sequence
 from enum import Enum, auto
 
-from trex_gui.core.errors import StudioError
+from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
@@ -20,7 +21,10 @@ from trex_gui.devices.trex.driving.requests import (
     MotorRequest,
     MotorsStopped,
     Setpoint,
+    SetpointRequest,
     Stop,
+    packets,
+    setpoints_in,
 )
 from trex_gui.devices.trex.driving.restart import RestartWatch
 from trex_gui.devices.trex.driving.setpoints import (
@@ -30,6 +34,9 @@ from trex_gui.devices.trex.driving.setpoints import (
     SetpointSlots,
 )
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
+from trex_gui.devices.trex.protocol.framing import Framing
+
+log = logging.getLogger(__name__)
 
 STOP_RETRY_INTERVAL = 0.25  # seconds between retries of an unconfirmed stop
 
@@ -162,7 +169,7 @@ class MotorOutput:
     # --- Requests -----------------------------------------------------------------------
 
     def handle_request(self, request: MotorRequest, now: float) -> None:
-        """Handle a request. Drop setpoints while `arming` forbids them."""
+        """Handle a request. Drop invalid setpoints, and setpoints that `arming` forbids."""
         match request:
             case Stop():
                 self.stops.append(request)
@@ -173,7 +180,7 @@ class MotorOutput:
                 self._record_heartbeat(now if sent is None else sent)
             case _:
                 self._record_heartbeat(now)
-                if self.arming in {Arming.INITIAL, Arming.ARMED}:
+                if self.arming in {Arming.INITIAL, Arming.ARMED} and _is_valid(request):
                     self.setpoints.put(request)
 
     def _record_heartbeat(self, time: float) -> None:
@@ -293,3 +300,13 @@ class MotorOutput:
     def _end_noisy_stops(self, error: StudioError | None) -> None:
         stops, self._noisy_stops = self._noisy_stops, []
         self.report_stops(stops, error)
+
+
+def _is_valid(request: SetpointRequest) -> bool:
+    try:
+        for command in packets(setpoints_in(request)):
+            Framing().encode(command)
+    except BadRequest as error:
+        log.warning("an invalid setpoint was dropped: %s", error)
+        return False
+    return True
