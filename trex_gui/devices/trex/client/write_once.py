@@ -105,8 +105,8 @@ def _write_and_verify(
 ) -> ValueT:
     """Write until the value is read back. Return the last reading.
 
-    `before` is called before each write. Without a CRC, only two consecutive rejections count,
-    because the first packet or its reply may have been corrupted.
+    `before` is called before each write. Without a CRC, a rejection counts only if the next reply
+    repeats it, because the packet or its reply may have been corrupted.
     """
 
     def write() -> None:

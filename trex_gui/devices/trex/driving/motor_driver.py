@@ -1,7 +1,7 @@
 """Driver that sends setpoints and stops through a client and confirms the stops.
 
 A stop is the only motor command that is sent without a request. Motor commands have no reply. A
-stop is confirmed if the next status shows no UART error.
+stop is confirmed if several statuses in a row, each after a stop, show no line error.
 """
 
 from collections.abc import Callable, Sequence
@@ -43,8 +43,8 @@ _CAREFUL_ROUNDS = 8
 """Consecutive clean rounds that confirm a stop on a line that damages bytes.
 
 They are required for a stop that cannot wait for a quiet line. Undetected damage may still turn the
-last packet into a speed. The probability is 2p/9 * (1 - p)**56 for a damage probability p per byte,
-at most 0.14 %. See `LineQuality` for a stronger confirmation.
+last brake of a motor into a speed. For each motor, the probability is 2p/9 * (1 - p)**56 for a
+damage probability p per byte, at most 0.15 %. See `QUIET` for a stronger confirmation.
 """
 
 # Limits of the stop before the port is closed. The window waits one second for this stop.

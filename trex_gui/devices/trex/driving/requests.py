@@ -63,7 +63,7 @@ class Heartbeat:
 
 @dataclass(frozen=True, slots=True)
 class StopSent:
-    """A requested or automatic stop was sent. Its confirmation follows."""
+    """A requested or automatic stop was sent. The board has not confirmed it yet."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -124,7 +124,7 @@ QUIET = 300
 """Consecutive undamaged replies after which a line counts as quiet.
 
 Assume that each byte is damaged with probability p, in one of its nine bits (eight data bits and
-the stop bit). Damage to either of two bits turns the last packet of a brake into a speed without
+the stop bit). Damage to either of two bits turns the last brake of a motor into a speed without
 being detected. The probability is 2p/9. Each reply needs an undamaged request byte, so the
 probability of a damaged brake on a quiet line is below 2p/9 * (1 - p)**300. Its maximum is 2.7e-4
 (p = 1/300). For p = 1 %, 2 % and 5 %, it is 1.1e-4, 1.0e-5 and 2e-9. The auxiliary speed has seven

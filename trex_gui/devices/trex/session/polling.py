@@ -39,7 +39,7 @@ _CHEAPEST = Control  # shortest transaction: one byte out, one byte in
 
 
 def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]:
-    """Return the polls per second for each topic, fastest topic first."""
+    """Return the polls per second for each topic, in descending order of `PolledValue.rate`."""
     is_analog = source is InputSource.ANALOG
     return {
         topic: (not watched and polled.unwatched_rate)
