@@ -7,6 +7,7 @@ import pytest
 from tests.devices.trex.session.helpers import (
     create_harness,
     is_stopped,
+    motor_commands_in,
     of_type,
     outcomes,
     packet,
@@ -26,7 +27,7 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotor,
     Stop,
 )
-from trex_gui.devices.trex.protocol.commands import DriveMotor
+from trex_gui.devices.trex.protocol.commands import STOP, DriveMotor
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
@@ -61,14 +62,15 @@ def test_armed_motors_stop_after_heartbeat_timeout(harness: SessionHarness) -> N
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80))).at(1.0, SetAuxiliary(30))
     before = read_at(harness, 1.0 + HEARTBEAT - 0.05, lambda: harness.board.motors[0].speed)
     after = read_at(harness, 1.0 + HEARTBEAT + 0.05, lambda: is_stopped(harness.board))
-    harness.script.at(2.5, Heartbeat()).at(2.5, SetMotor(1, Drive.at(80)))  # late requests
+    harness.script.at(2.5, Heartbeat()).at(2.5, SetMotor(1, Drive.at(90)))  # late requests
     reports = run_for(harness, 3.0)
     assert before == [80]
     assert after == [True]
     (stopped,) = of_type(reports, MotorsStopped)
     assert stopped.confirmed
     assert stopped.reason is ErrorCode.NO_HEARTBEAT
-    assert is_stopped(harness.board), "late setpoints are ignored"
+    late = DriveMotor(1, Drive.at(90))
+    assert late not in motor_commands_in(harness.transport.sent), "late setpoints are ignored"
 
 
 def test_heartbeat_timeout_stops_motors_during_reload() -> None:
@@ -86,12 +88,16 @@ def test_heartbeat_timeout_stops_motors_during_reload() -> None:
 def test_stop_is_repeated_until_confirmed(harness: SessionHarness) -> None:
     """The line corrupts requests, but not replies."""
     harness.script.at(1.0, SetMotor(1, Drive.at(80)))
-    for step in range(40):  # packets lose bytes for two seconds
+    for step in range(20):  # packets lose bytes for a second
+        if step == 10:
+            harness.script.at(2.0, Stop(2))
         harness.script.at(1.5 + step * 0.05, harness.fault(to_drop_sent=2))
-    harness.script.at(3.6, Stop(2))
+    early = read_at(harness, 2.5, lambda: outcomes(harness.reports))
+    stopped = read_at(harness, 7.9, lambda: is_stopped(harness.board))
     run_for(harness, 8.0)
+    assert (early, stopped) == ([{}], [True])
     assert outcomes(harness.reports)[2].error is None
-    assert is_stopped(harness.board)
+    assert motor_commands_in(harness.transport.sent).count(STOP[0]) > 4
 
 
 # --- One transaction before a stop ------------------------------------------------------
@@ -157,7 +163,8 @@ def test_requested_motor_command_never_follows_stop() -> None:
         )
         assert outcomes(harness.reports)[6].error is None
         assert of_type(harness.reports, Closed) == [Closed(None, may_move=False)]
-        assert is_stopped(harness.board)
+        sent = motor_commands_in(harness.transport.sent)
+        assert {*sent[sent.index(STOP[0]) :]} == {*STOP}
 
 
 def test_stops_during_confirmation_get_outcome_on_port_loss(harness: SessionHarness) -> None:

@@ -118,7 +118,7 @@ def test_setpoints_for_former_board_reach_no_selected_board(line: Line) -> None:
 
 
 def test_typed_motor_command_after_selection_is_rejected(line: Line) -> None:
-    line.script.at(1.0, SelectBoard(1, 9))
+    line.script.at(0.9, Arm()).at(1.0, SelectBoard(1, 9))
     line.script.at(1.0, packet(2, DriveMotor(1, Drive.at(90))))
     reports = run_for(line, 3.0, SEVENTH)
     assert error_code(reports, 2) is ErrorCode.NOT_ARMED

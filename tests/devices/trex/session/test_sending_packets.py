@@ -64,9 +64,9 @@ def test_typed_motor_command_is_sent_only_while_armed(harness: SessionHarness) -
 def test_missing_heartbeat_stops_typed_motor_command(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, packet(1, "CA 50"))
     during = read_at(harness, 1.3, lambda: harness.board.motors[1].speed)
+    stopped = read_at(harness, 2.0, lambda: is_stopped(harness.board))
     run_for(harness, 3.0)
-    assert during == [80]
-    assert is_stopped(harness.board)
+    assert (during, stopped) == ([80], [True])
 
 
 @pytest.mark.parametrize("text", ["C2 50", "80 09 42 50", "C2"])
