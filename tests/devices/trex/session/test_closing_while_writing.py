@@ -161,7 +161,7 @@ def test_close_cancels_write_that_has_not_started() -> None:
     ("case", "limit"), [*product(CLOSED_CASES.values(), [0.3]), (SLOWEST, 2.0)]
 )
 def test_close_waits_for_at_most_one_setting_or_pair(case: Case, limit: float) -> None:
-    """`Line.shut_down` waits for three seconds."""
+    """`SessionThread.shut_down` waits for three seconds."""
     stride = max(1, len(moments(case)) // 8)
     for moment in moments(case)[::stride]:
         assert close_at(case, moment).time_of(Closed) - moment < limit

@@ -12,7 +12,7 @@ from tests.devices.trex.session.helpers import (
 )
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness, VirtualTransport
-from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.core.session import Closed, Progress
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.driving.requests import SetMotor, Stop
@@ -253,9 +253,12 @@ def test_requests_fail_when_no_board_is_found(harness: SessionHarness) -> None:
     ],
     ids=str,
 )
-def test_invalid_settings_release_the_port(
+def test_port_is_not_opened_with_invalid_settings(
     harness: SessionHarness, settings: ConnectionSettings
 ) -> None:
-    reports = run_for(harness, 1.0, settings)
-    assert isinstance(reports[-1], Closed)
-    assert harness.transport.closed or not harness.transport.sent
+    def open_port(_settings: ConnectionSettings) -> Transport:
+        pytest.fail("the port was opened")
+
+    TrexSession(settings, harness.script, harness.reports.append, open_port).run()
+    (closed,) = of_type(harness.reports, Closed)
+    assert isinstance(closed.error, BadRequest)

@@ -79,7 +79,7 @@ def test_stop_of_board_that_may_move_reaches_only_this_board(settings: Connectio
     assert device_numbers(harness.transport.sent) == {7}
 
 
-def test_failed_connection_sends_no_probes() -> None:
+def test_failed_connection_sends_only_addressed_packets() -> None:
     harness = SharedLineHarness(create_board(8))
     run_for(harness, 30.0, CRC)
     assert device_numbers(harness.transport.sent) == {7}
