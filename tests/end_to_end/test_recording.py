@@ -1,5 +1,6 @@
 """Recording of sessions, and opening of recordings without a board."""
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -81,13 +82,14 @@ def test_esc_in_file_dialog_stops_motors(connected_window: WindowDriver) -> None
     window.device.motors.stop_requested.connect(lambda: stops.append("stop"))
     window.motors.arm()
 
-    def press_esc() -> None:
+    def press_esc(attempts: int = 1000) -> None:
         dialog = QApplication.activeModalWidget()
-        assert isinstance(dialog, QFileDialog)
-        if QApplication.focusWindow() == dialog.windowHandle():
-            QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
-        else:
-            QTimer.singleShot(10, press_esc)
+        if attempts and not (isinstance(dialog, QFileDialog) and dialog.isActiveWindow()):
+            QTimer.singleShot(10, partial(press_esc, attempts - 1))
+            return
+        assert dialog is not None
+        QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
+        dialog.close()  # if Esc did not close it, the test would wait forever
 
     QTimer.singleShot(100, press_esc)
     trex(window.program).workspace.recordings.toggle()
