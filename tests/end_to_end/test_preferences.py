@@ -106,4 +106,3 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
     window.connect_to_demo("aracna")
     open_recent(window, "run.trexrec")
     assert "disconnect, then open it again" in window.text("bannerText")
-    assert not window.window.help_dialog

@@ -76,7 +76,9 @@ def test_line_settings_apply_once_they_are_accepted(window: WindowDriver) -> Non
         window.wait(lambda: not window.has("lineSettingsDialog"))
         assert controller.settings.device_number == (7 if accepted else None)
 
-    # Other devices on the line require an address.
+
+def test_other_devices_on_the_line_require_an_address(window: WindowDriver) -> None:
+    controller = trex(window.program).controller
     window.trigger("line")
     dialog = window.dialog("lineSettingsDialog")
     field = dialog.find(QLineEdit, "reservedField")
@@ -95,7 +97,9 @@ def test_line_settings_apply_once_they_are_accepted(window: WindowDriver) -> Non
     assert controller.settings.reserved == {0, 30}
     assert controller.settings.device_number == 7
 
-    # The dialog shows newly stored values.
+
+def test_open_line_dialog_shows_newly_stored_values(window: WindowDriver) -> None:
+    controller = trex(window.program).controller
     window.trigger("line")
     changed = replace(controller.settings, device_number=9, polynomial=0x85)
     controller.set_settings(changed)

@@ -54,7 +54,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     at_115200 = [
         maximum for text, maximum in progress if text.startswith("Looking for TReX at 115200")
     ]
-    assert set(at_115200) == {102}
+    assert set(at_115200) == {102}, "number of probes for all devices"
     assert dialog.text("findText0").startswith(f"TReX 1.2, device 7 on {url} at 57600 baud.")
     dialog.wait_for_end()
     assert dialog.text("findProgressText") == "1 board found."

@@ -219,7 +219,7 @@ def test_stop_pressed_while_board_is_read_is_sent(
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
 
 
-# --- Lockout and messages ---------------------------------------------------------
+# --- Serial timeout and other windows -----------------------------------------------------
 
 
 def test_disabled_serial_timeout_is_set_with_a_click(driving: DrivingWindow) -> None:
