@@ -1,6 +1,6 @@
 """Write measurements as MCAP for PlotJuggler or Foxglove: python log_mcap.py PORT SECONDS FILE.
 
-Needs the package mcap: pip install trex_gui[mcap].
+Needs the package mcap: pip install mcap.
 """
 
 import json
