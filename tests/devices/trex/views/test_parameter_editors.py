@@ -165,6 +165,17 @@ def test_rejected_input_is_marked_until_it_is_valid(parameters: ParametersDriver
     assert not icon.isVisible()
 
 
+@pytest.mark.parametrize("key", [Qt.Key.Key_Tab, Qt.Key.Key_Backtab])
+def test_tab_keys_do_not_leave_invalid_input(parameters: ParametersDriver, key: Qt.Key) -> None:
+    editor = parameters.open_with_keys("serial_timeout")
+    QTest.keyClicks(editor, "99999")
+    QTest.keyClick(editor, key)
+    assert parameters.editor("serial_timeout") is editor
+    assert isinstance(editor, UnitSpinBox)
+    assert editor.problem == parameters.rejected[-1]
+    assert editor.text() == "99999"
+
+
 def test_marked_input_is_painted_completely(parameters: ParametersDriver) -> None:
     editor = parameters.open_with_mouse("serial_timeout")
     assert isinstance(editor, UnitSpinBox)

@@ -174,6 +174,17 @@ def test_arrow_keys_go_from_value_to_value(parameters: ParametersDriver) -> None
     ]
 
 
+def test_tab_keys_edit_each_value_in_both_directions(parameters: ParametersDriver) -> None:
+    parameters.open_with_keys(FIRST)
+    visited = []
+    for key in (*[Qt.Key.Key_Tab] * 4, *[Qt.Key.Key_Backtab] * 5):
+        QTest.keyClick(parameters.editor(parameters.current), key)
+        visited.append(parameters.current)
+    forward = ["motor2_acceleration", "aux_acceleration", "motor_mode"]
+    last = "motor1_deadband_brake_pwm"
+    assert visited == [*forward, last, *reversed(forward), FIRST, FIRST]
+
+
 def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
     parameters.go_to("device_number")
     parameters.press(Qt.Key.Key_Down)

@@ -320,7 +320,7 @@ class ParameterDelegate(QStyledItemDelegate):
             watched.setProperty(_UNTOUCHED, False)
         if (
             isinstance(watched, UnitSpinBox)
-            and key in {*ENTER, Qt.Key.Key_Tab}
+            and key in {*ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab}
             and not watched.hasAcceptableInput()
         ):
             watched.report_problem()

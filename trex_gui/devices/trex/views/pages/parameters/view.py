@@ -140,7 +140,7 @@ class ParameterView(QTableView):
         self._fit_columns()
 
     def show_rows(self, new_filter: ParameterFilter) -> bool:
-        """Show the matching rows. Return whether the visible rows changed."""
+        """Show the matching rows. Return true if they changed or if the current row is hidden."""
         self.filter, before = new_filter, self._visible
         self._visible = new_filter.rows(self._model)
         for row in range(len(self._model.rows)):
@@ -163,9 +163,15 @@ class ParameterView(QTableView):
     def moveCursor(  # noqa: N802 # of Qt
         self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier
     ) -> QModelIndex:
-        if not self.currentIndex().isValid():
+        current, actions = self.currentIndex(), QAbstractItemView.CursorAction
+        if not current.isValid():
             return self.filter.best_match(self._model)
-        return _value_at(super().moveCursor(action, modifiers))
+        target = super().moveCursor(action, modifiers)
+        if action is actions.MovePrevious and _value_at(target) == current:
+            target = super().moveCursor(actions.MoveUp, modifiers)
+            if target.row() < current.row() and len(self._model.rows[target.row()].keys) > 1:
+                target = target.siblingAtColumn(ParameterColumn.MOTOR2)
+        return _value_at(target)
 
     def _start_edit(self, key: str) -> None:
         value = self._model.index_of(key)
