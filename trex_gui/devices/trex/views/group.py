@@ -1,5 +1,7 @@
 """Dialog that joins boards into a group, and the cards of the boards."""
 
+from itertools import product
+
 from PySide6.QtCore import QSize, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QCheckBox, QLabel, QWidget
@@ -58,13 +60,9 @@ class GroupDialog(ReusedDialog):
         self.show_in_front()
 
     def _create_rows(self, numbers: list[int]) -> None:
-        motors = [(number, motor) for number in numbers for motor in (1, 2)]
-        if motors == list(self._rows):
-            return
-        for row, number_and_motor in enumerate(motors, len(self._rows)):
-            if number_and_motor in self._rows:
+        for number, motor in product(numbers, (1, 2)):
+            if (number, motor) in self._rows:
                 continue
-            number, motor = number_and_motor
             name, key = tr("Board {0}, motor {1}").format(number, motor), f"wheel{number}{motor}"
             sides = (tr("left"), LEFT), (tr("right"), RIGHT), (tr("not driven"), _NOT_DRIVEN)
             side = ui.combo_box(
@@ -73,12 +71,12 @@ class GroupDialog(ReusedDialog):
             reversed_box = QCheckBox(tr("reversed"), self._table)
             ui.named(reversed_box, f"{key}Reversed", accessible=f"{name}, {tr('reversed')}")
             widgets = ui.label(self._table, text=name), side, reversed_box
-            self._rows[number_and_motor] = widgets
+            self._rows[number, motor] = widgets
             for column, widget in enumerate(widgets):
-                self._grid.addWidget(widget, row, column)
-        for number_and_motor, widgets in self._rows.items():
+                self._grid.addWidget(widget, len(self._rows), column)
+        for (number, _), widgets in self._rows.items():
             for widget in widgets:
-                widget.setVisible(number_and_motor in motors)
+                widget.setVisible(number in numbers)
 
     @property
     def wheels(self) -> tuple[Wheel, ...]:
