@@ -16,7 +16,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import Note
 
-_NUMBERS = r"((\d|[1-9]\d|1[01]\d|12[0-7])(, *|$))*"  # 0 to 127
+_NUMBERS = r"((\d|[1-9]\d|1[01]\d|12[0-7])(, *|$))*"  # 0 to 127, separated by commas
 
 
 class LineSettingsDialog(ReusedDialog):

@@ -339,7 +339,7 @@ class ControlBar(MotorBar):
         return self._device.is_connected and is_locked_out and motors.locked_for > 0
 
     def _state_text(self, statuses: Iterable[DriveStatus]) -> str:
-        """Return the state of the motors, or the first blocker other than a fault."""
+        """Return the state of the motors, or the first status other than a fault."""
         device, motors = self._device, self._device.motors
         if motors.armed:
             return motors.text
@@ -349,5 +349,5 @@ class ControlBar(MotorBar):
             return device.driving.lost_board
         if self._stop_has_no_effect:
             return tr("Channels control the motors: Stop does not affect them.")
-        blockers = (status for status in statuses if status.blocker is not DriveBlocker.FAULT)
-        return next((blocker.text for blocker in blockers), "")
+        texts = (status.text for status in statuses if status.blocker is not DriveBlocker.FAULT)
+        return next(texts, "")

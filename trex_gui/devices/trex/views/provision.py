@@ -238,9 +238,9 @@ class ProvisionFlow(Flow):
 
         in_background(self, read, self._on_read, self._on_read_failed)
 
-    def _on_read(self, files: tuple[Settings, ProvisionRecord]) -> None:
+    def _on_read(self, profile_and_record: tuple[Settings, ProvisionRecord]) -> None:
         self._is_loading = False
-        self.work.start(*files, turns_motors=self._profile_page.motors.isChecked())
+        self.work.start(*profile_and_record, turns_motors=self._profile_page.motors.isChecked())
 
     def _on_read_failed(self, error: StudioError) -> None:
         self._is_loading = False

@@ -29,7 +29,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen, resize_with_font
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 
-SAMPLES = {  # file name → purpose, as stated in the first comment of the file
+SAMPLES = {  # file name without suffix → purpose, as stated in the first comment of the file
     "autonomous_robot": tr_noop(
         "An autonomous robot: an on-board computer drives it, and no one is near enough to catch it"
     ),

@@ -52,9 +52,9 @@ class SettingsSaver(QObject):
         if settings is None:
             return
         filters = {f"{language.title} (*{language.suffix})": language for language in Language}
-        name = file_questions.last_folder() / file_name(settings, next(iter(filters.values())))
+        proposal = file_questions.last_folder() / file_name(settings, next(iter(filters.values())))
         selected, kind = QFileDialog.getSaveFileName(
-            self._window, title_of(tr("&Export as code…")), str(name), ";;".join(filters)
+            self._window, title_of(tr("&Export as code…")), str(proposal), ";;".join(filters)
         )
         if selected:
             path = Path(selected)

@@ -46,7 +46,7 @@ class FlowState:
     page: Page
     note: str = ""  # text below `page.side`
     is_alarming: bool = False
-    undone: Collection[str] = ()  # titles of earlier steps that are not complete
+    undone: Collection[str] = ()  # titles of incomplete steps, even of steps still ahead
     next: str = ""
     may_go_on: bool = True
     may_go_back: bool = False

@@ -247,8 +247,8 @@ class BenchDialog(ReusedDialog):
         selected, runs = self._compare.currentData(), self.bench.runs
         if isinstance(selected, Run):
             return selected
-        index = -1 if self.bench.phase is not Phase.IDLE else -2
-        return runs[index] if len(runs) >= -index else None
+        earlier = runs[:-1] if self.bench.phase is Phase.IDLE else runs
+        return earlier[-1] if earlier else None
 
     @Slot()
     def _show_figures(self) -> None:

@@ -25,7 +25,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import PAGE_MARGINS, Muted, Note, PageHead
 
-SIGNS = {
+_SIGNS = {
     Effect.STOPS: ("warning", "warning"),
     Effect.BLOCKS: ("info", "info"),
     Effect.LIMITS: ("warning", "warning"),
@@ -158,7 +158,7 @@ class BoardPage(QWidget):
         """Show the most important status as the title and the others below."""
         head, (first, *others) = self._head, statuses
         is_armed = first.blocker is DriveBlocker.RUNNING
-        sign = ("run", "warning") if is_armed else SIGNS[first.blocker.effect]
+        sign = ("run", "warning") if is_armed else _SIGNS[first.blocker.effect]
         head.sign.show_sign(*sign)
         head.show_title(first.text)
         more = (first.remedy, *(f"{status.text} {status.remedy}" for status in others))

@@ -92,8 +92,9 @@ class ChangesDialog(ReusedDialog):
         """Create the dialog.
 
         `describe` returns the content, or `None` to close the dialog. It is called when the dialog
-        opens, when a row is checked or unchecked, and when a signal in `follows` is emitted. The
-        primary button calls `on_action` with the checked rows. `above` is a widget above the rows.
+        opens, when a row is checked or unchecked, and while the dialog is visible, when a signal
+        in `refresh_on` is emitted. The primary button calls `on_action` with the checked rows.
+        `above` is a widget above the rows.
         """
         super().__init__(parent)
         prefix = names.prefix

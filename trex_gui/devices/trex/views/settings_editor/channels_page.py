@@ -31,8 +31,8 @@ class DocumentChannels(PlotPage):
         self._findings = FindingsList("calibration", card.sources, card, is_wide=True)
         self._add = button(card, "addCalibrationButton", tr("&Add to the file"))
         self._leave_out = button(card, "leaveOutCalibrationButton", tr("Leave out of the fi&le"))
-        buttons = self._add, self._leave_out
-        card.lay_out(self._absence, (self._findings,), QWidget(card), *buttons)
+        above, live = (self._findings,), QWidget(card)  # a file has no live value
+        card.lay_out(self._absence, above, live, self._add, self._leave_out)
         row((self._strips, 3), (card, 5), into=self, margins=16, spacing=16)
 
         self._strips.chosen.connect(self._show_channel)

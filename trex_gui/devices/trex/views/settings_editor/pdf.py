@@ -81,12 +81,6 @@ def _parameters(settings: Settings) -> str:
 
 
 def _calibrations(settings: Settings) -> str:
-    rows = []
-    for key, calibration in settings.calibration_items():
-        counts = [getattr(calibration, field) for field in CALIBRATION_FIELDS]
-        values = (f"{key.source.text(count)} ({count})" for count in counts)
-        rows.append(_row((key.label, key, *values)))
-        rows += _rows_for_note(settings, key, 6)
     titles = {
         tr("Channel"): 18,
         tr("Key"): 18,
@@ -95,6 +89,12 @@ def _calibrations(settings: Settings) -> str:
         tr("Maximum"): 16,
         title_of(tr("&Deadband")): 16,
     }
+    rows = []
+    for key, calibration in settings.calibration_items():
+        counts = [getattr(calibration, field) for field in CALIBRATION_FIELDS]
+        values = (f"{key.source.text(count)} ({count})" for count in counts)
+        rows.append(_row((key.label, key, *values)))
+        rows += _rows_for_note(settings, key, len(titles))
     return _table(titles, rows) if rows else f"<p>{escape(tr('None set.'))}</p>"
 
 

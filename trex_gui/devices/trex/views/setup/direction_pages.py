@@ -119,8 +119,6 @@ class SticksPage(Page):
 
 
 class WiringPage(Page):
-    """Page for the motor wiring. While motors are armed, the layout does not shift."""
-
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupWiringPage", tr("Hold a button, then click what moved"))
         self._device = device

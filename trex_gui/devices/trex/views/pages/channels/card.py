@@ -59,16 +59,15 @@ class ChannelCard(Card):
         self._fields.rejected.connect(self.rejected)
 
     def lay_out(
-        self, beside: QWidget, above: Sequence[QWidget], live: QWidget, *buttons: QWidget
+        self, beside: QWidget, above: Sequence[QWidget], live: QWidget, start: QWidget, end: QWidget
     ) -> None:
         """Place the page's widgets beside the title, above the curve and around the note field."""
-        first, last = buttons
         title = row(self._title, (beside, 1), self.sources, spacing=12)
         legend = row((live, 1), *self._legend, spacing=16)
-        below = row(first, (self._note_field, 1), last, spacing=8)
+        below = row(start, (self._note_field, 1), end, spacing=8)
         parts = column(title, *above, legend, spacing=4), self.note, self._fields, self.options
         self._inside = column(*parts, below, into=self, spacing=6)
-        for widget in (*above, self._fields, self.options, first, self._note_field, last):
+        for widget in (*above, self._fields, self.options, start, self._note_field, end):
             widget.raise_()  # for `tab_order`, which follows the order of the children
         tab_order(self)
 

@@ -37,7 +37,7 @@ from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 STRIP_SECONDS = 10.0
-_INTERVAL = 0.06  # seconds between redraws (two frames)
+_INTERVAL = 0.06  # minimum seconds between redraws: every second frame
 _MAX_GAP = 0.5  # seconds; samples that are further apart are not connected by a line
 _PADDING, _SPACING, _TRACK, _OVERHANG = 10, 7, 8, 3  # pixels
 _RIGHT = Qt.AlignmentFlag.AlignRight

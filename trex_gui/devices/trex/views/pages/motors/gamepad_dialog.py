@@ -70,8 +70,8 @@ class AssignmentRow(QWidget):
         self._combo = ui.combo_box(self, f"gamepad{name}Combo", "", on_activate=self.chosen)
         self.label = ui.label(parent, buddy=self._combo)
         self._combo.setSizeAdjustPolicy(self._combo.SizeAdjustPolicy.AdjustToContents)
-        name = f"gamepad{name}Invert"
-        self._invert = ui.check_box(self, name, tr("Invert"), on_toggle=self.chosen)
+        check_box = partial(ui.check_box, self, on_toggle=self.chosen)
+        self._invert = check_box(f"gamepad{name}Invert", tr("Invert"))
         self._invert.setVisible(is_axis)
         self.setFocusProxy(self._combo)
         ui.row((self._combo, 1), self._invert, into=self, margins=0)

@@ -69,7 +69,7 @@ class SpeedCeiling(QWidget):
 
 
 class DriveWith(ui.Card):
-    """Controls other than the pad and the sliders. Their states are not stored."""
+    """Controls other than the pad and the sliders. All are off when the program starts."""
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Drive with"), parent)
@@ -107,7 +107,7 @@ class DriveWith(ui.Card):
 
 
 class Options(ui.Card):
-    """Rarely changed options. All options except the ramp are stored."""
+    """Rarely changed options. All options except the ramp are saved."""
 
     def __init__(self, motors: Motors, parent: QWidget) -> None:
         super().__init__(title_of(tr("E&xtra options")), parent)
@@ -152,14 +152,14 @@ class Options(ui.Card):
             "minimized"
         )
         key = "motors/stop_on_leaving"
-        self.stop_on_leaving = self._create_stored_box("stopOnLeaving", text, tip, key)
+        self.stop_on_leaving = self._create_saved_box("stopOnLeaving", text, tip, key)
         text = tr("Sliders return to &zero")
         tip = tr(
             "A slider drives its motor only while you hold the slider. Releasing the "
             "slider brakes the motor"
         )
         key = "motors/return_to_zero"
-        self.return_to_zero = self._create_stored_box("returnToZero", text, tip, key)
+        self.return_to_zero = self._create_saved_box("returnToZero", text, tip, key)
 
         numbers = ui.grid(spacing=(_SPACING, _SPACING), stretch=[(0, 1)])
         for row, (text, entry) in enumerate(((title, brake), (lock_title, lock))):
@@ -174,7 +174,7 @@ class Options(ui.Card):
         motors.options_changed.connect(self._on_options_changed)
         self._on_options_changed()
 
-    def _create_stored_box(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
+    def _create_saved_box(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
         checked, save = self._store.flag(key, default=False), partial(self._store.set, key)
         return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=save)
 

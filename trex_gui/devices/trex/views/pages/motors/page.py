@@ -50,7 +50,7 @@ _GAP = 8  # pixels between cards
 
 
 class MotorsPage(QWidget):
-    """Page for driving armed motors. Leaving the page releases every control."""
+    """Page for driving armed motors. Leaving it while a control is held stops the motors."""
 
     parameter_requested = Signal(str)  # key of the parameter to show
     plot_requested = Signal()

@@ -97,9 +97,9 @@ class ParameterTable(QWidget):
             self._is_other_selected = False
             self._user_key = self._view.current_key
             above = range(current.row() - 1, -1, -1)
-            visible = next((row for row in above if not self._view.isRowHidden(row)), 0)
-            if not self._model.rows[visible].keys:  # a heading, which cannot be selected
-                self._view.scrollTo(self._model.index(visible, 0))
+            row_above = next((row for row in above if not self._view.isRowHidden(row)), 0)
+            if not self._model.rows[row_above].keys:  # a heading, which cannot be selected
+                self._view.scrollTo(self._model.index(row_above, 0))
             if current.row() > 1:
                 self._view.scrollTo(current)
         self._view.viewport().update()  # `ParameterDelegate.paint` marks the whole row
