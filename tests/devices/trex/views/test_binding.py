@@ -20,6 +20,7 @@ def repaint_pages(window: WindowDriver, times: int) -> None:
                 widget.repaint()
 
 
+@pytest.mark.skipif(sys.version_info >= (3, 12), reason="None is immortal and not counted")
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize("times", [2, pytest.param(60, marks=pytest.mark.slow)])
 def test_repainting_loses_no_references_to_none(window: WindowDriver, times: int) -> None:

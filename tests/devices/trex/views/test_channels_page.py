@@ -192,7 +192,7 @@ def test_strip_stores_only_visible_samples(qtbot: QtBot) -> None:
         strip.add_samples([step / 50], [math.nan if step % 500 < 10 else 3750.0])
     points = [point for line in strip.lines for point in line.toList()]
     assert min(point.x() for point in points) >= 59.98 - STRIP_SECONDS
-    assert len(points) == 491
+    assert len(points) == 491  # ten seconds at 50 Hz, both ends included, without a gap of ten
 
 
 def test_arrow_keys_select_a_strip_for_screen_readers(page: ChannelsDriver) -> None:
@@ -382,7 +382,7 @@ def test_value_rejected_by_the_board_is_explained(page: ChannelsDriver) -> None:
 # --- Buttons and keys -------------------------------------------------------------------
 
 
-def test_buttons_request_learning_and_fields_accept_tab(page: ChannelsDriver) -> None:
+def test_buttons_request_learning_and_the_stick_test(page: ChannelsDriver) -> None:
     requested: list[object] = []
     page.widget.learn_requested.connect(requested.append)
     page.select_channel(2)
@@ -391,6 +391,9 @@ def test_buttons_request_learning_and_fields_accept_tab(page: ChannelsDriver) ->
     assert requested == [(2,), CHANNELS]
     with page.qtbot.waitSignal(page.widget.test_requested):
         page.click("testSticksButton")
-    # Handles accept only the mouse.
+
+
+def test_tab_key_reaches_the_fields(page: ChannelsDriver) -> None:
+    """The handles of the curve accept only the mouse."""
     names = {widget.objectName() for widget in tab_order(page.root.window())}
     assert names >= {f"{name}Edit" for name in ("minimum", "neutral", "maximum", "deadband")}

@@ -114,7 +114,7 @@ def test_left_out_settings_are_listed(view: ComparisonView, driver: ComparisonDi
 # --- Text that fits its cell ------------------------------------------------------------
 
 
-SIGN_WIDTH = 20
+SIGN_WIDTH = 20  # pixels
 
 
 def longest_texts() -> Comparison:

@@ -94,7 +94,7 @@ def test_button_texts_follow_the_step(learning: LearningDialog) -> None:
 
 
 def test_review_compares_learned_with_stored_values(learning: LearningDialog) -> None:
-    """Pending edits are ignored."""
+    """The comparison ignores pending edits."""
     device = learning.device
     stored = device.calibrations.stored(1)
     assert stored is not None

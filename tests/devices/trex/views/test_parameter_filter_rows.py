@@ -50,11 +50,14 @@ def test_words_match_names_and_descriptions_in_any_order(
     assert keys(model, words) == expected
 
 
-def test_not_default_filter_shows_changed_values(model: ParameterModel) -> None:
+def test_not_default_filter_follows_edits(model: ParameterModel) -> None:
     assert keys(model, "", ParameterChoice.NOT_DEFAULT) == ["serial_timeout"]
     model.edit("serial_timeout", FACTORY["serial_timeout"])
     model.edit("motor_mode", 1)
     assert keys(model, "", ParameterChoice.NOT_DEFAULT) == ["motor_mode"]
+
+
+def test_findings_filter_shows_parameters_with_findings(model: ParameterModel) -> None:
     assert keys(model, "", ParameterChoice.WITH_FINDINGS, "device_number") == ["device_number"]
 
 

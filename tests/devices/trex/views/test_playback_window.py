@@ -49,9 +49,9 @@ def _records_of_a_minute() -> list[Record]:
         Marker(T0 + 30.0, "apply", "Apply: Device Number"),
         Marker(T0 + 45.0, "fault", "Motor 1 fault"),
     ]
-    hour = drive_records(60)
-    plain = [record for record in hour if not isinstance(record, SetpointRecord | Marker)]
-    return sorted([*plain, *extra], key=lambda record: record.time)
+    driven = drive_records(60)
+    samples = [record for record in driven if not isinstance(record, SetpointRecord | Marker)]
+    return sorted([*samples, *extra], key=lambda record: record.time)
 
 
 class RecordingWindow(WidgetDriver):

@@ -25,17 +25,17 @@ pytestmark = pytest.mark.usefixtures("qapp")
 
 
 class PaintCounter(QObject):
-    """Counts the paint events of a widget. Reading `is_idle` resets the count."""
+    """Counts the paint events of a widget."""
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
         self._count = 0
         widget.installEventFilter(self)
 
-    @property
-    def is_idle(self) -> bool:
+    def count_new(self) -> int:
+        """Return the number of paint events since the last call."""
         count, self._count = self._count, 0
-        return count == 0
+        return count
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         del watched
@@ -140,9 +140,9 @@ def test_switch_changes_cells_help_and_open_editor_at_once(qtbot: QtBot) -> None
     assert parameters.cell("serial_timeout").data() == "1.3 s"
 
     paints = PaintCounter(parameters.view.viewport())
-    parameters.wait(lambda: paints.is_idle)
+    parameters.wait(lambda: not paints.count_new())
     units().set_order(own_first=True)
-    parameters.wait(lambda: not paints.is_idle)
+    parameters.wait(paints.count_new)
     assert parameters.cell("serial_timeout").data() == "13"
     assert parameters.cell(ACCELERATION).data() == "10"
     assert parameters.text("parameterValue") == "13"
