@@ -1,18 +1,20 @@
-"""Drawing of a board, with known and unknown values."""
+"""Drawing of a board, with known and unknown values, alone and in a group."""
 
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import SIGNAL, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatedDevice
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
+from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.views.board.page import BoardPage
 from trex_gui.devices.trex.views.board.parts import BoardPart, JumperPart, LedPart, MotorPart
 from trex_gui.devices.trex.views.board.view import BoardView
 from trex_gui.ui.devices.connection import ConnectionState
@@ -112,3 +114,22 @@ def test_each_part_opens_its_page_with_the_keyboard(drawing: DrawingDriver) -> N
         assert part.accessibleName()
         QTest.keyClick(part, Qt.Key.Key_Space)
     assert set(pages) == {"channels", "errors", "motors", "parameters", "transcript"}
+
+
+def test_boards_joined_again_are_updated_once(
+    qtbot: QtBot, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--unpaced", "--device", "7", "--device", "9:trexjr")
+    window, device = QWidget(), Device()
+    qtbot.addWidget(window)
+    group = BoardGroup(device)
+    page = BoardPage(device, group, QWidget, window)
+    device.connect_to(ConnectionSettings(simulator.url).with_group((7, 9)))
+    qtbot.waitUntil(lambda: device.is_connected and len(page.findChildren(BoardView)) == 2)
+    telemetry, text_due = group.devices[9].telemetry, SIGNAL("text_due()")
+    before = telemetry.receivers(text_due)
+    group.changed.emit()
+    qtbot.waitUntil(lambda: len(page.findChildren(BoardView)) == 2)
+    assert telemetry.receivers(text_due) == before
+    device.disconnect_line()
+    qtbot.waitUntil(device.shut_down)

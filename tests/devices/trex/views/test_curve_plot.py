@@ -199,7 +199,9 @@ def test_names_and_minimum_heights_follow_the_font_size(plot: CurvePlot) -> None
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_output_label_fits_in_each_language(qapp: QApplication, qtbot: QtBot, language: str) -> None:
+def test_output_label_fits_in_each_language(
+    qapp: QApplication, qtbot: QtBot, language: str
+) -> None:
     with in_language(qapp, QLocale(language)):
         plot = CurvePlot()
         qtbot.addWidget(plot)

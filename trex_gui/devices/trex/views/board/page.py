@@ -100,8 +100,8 @@ class BoardPage(QWidget):
         for view, device in self._others.items():
             view.page_requested.connect(self.page_requested)
             self._views.add(view)
-            device.telemetry.text_due.connect(self._on_text_due)
-            device.link_changed.connect(self._on_text_due)
+            for due in (device.telemetry.text_due, device.link_changed):
+                due.connect(self._on_text_due, Qt.ConnectionType.UniqueConnection)
 
     @Slot()
     def _on_device_changed(self) -> None:
