@@ -54,6 +54,12 @@ def test_personal_names_are_masked(text: str, masked: str | None) -> None:
     assert MASK.clean(text) == (text if masked is None else masked)
 
 
+@pytest.mark.parametrize("number", range(8))  # the order of a set would differ
+def test_full_name_of_the_computer_is_masked(number: int) -> None:
+    name = f"rover{number}.smith.example"
+    assert Mask(computer=name).clean(f"{name}, rover{number}") == "<computer>, <computer>"
+
+
 def test_common_and_short_names_are_not_masked() -> None:
     assert Mask("/root", "root", "pi").clean("root of /root/x, pi") == "root of ~/x, pi"
     assert Mask("/", "me", "").clean("some /me") == "some /me"

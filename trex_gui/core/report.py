@@ -106,7 +106,7 @@ class Mask:
         text = _MAIL.sub("<mail>", text)
         text = _ADDRESS.sub("<address>", text)
         for name, mask in ((self.computer, "<computer>"), (self.user, "<user>")):
-            for part in {name, name.partition(".")[0]}:
+            for part in (name, name.partition(".")[0]):  # the full name first
                 if len(part) >= _SHORTEST_NAME and part.lower() not in _SHARED_NAMES:
                     text = re.sub(
                         rf"(?<!\w){re.escape(part)}(?!\w)", mask, text, flags=re.IGNORECASE
