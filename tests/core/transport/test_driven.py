@@ -1,12 +1,10 @@
 """Boards that were left running."""
 
-import fcntl
 import logging
 import os
 import queue
 import signal
 import sys
-import time
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -15,6 +13,7 @@ import serial
 from serial.tools import list_ports
 from serial.tools.list_ports_common import ListPortInfo
 
+from tests.devices.trex.simulator.waiting import comes_true
 from tests.support.simulator import StartSimulator
 from trex_gui.core.crash_detection import is_locked
 from trex_gui.core.errors import PortUnavailable
@@ -117,6 +116,8 @@ def test_replacement_guardian_does_not_search_ports(monkeypatch: pytest.MonkeyPa
 
 
 def test_board_of_running_program_is_not_reported() -> None:
+    import fcntl  # other test files import this file on Windows
+
     with left("/dev/ttyUSB0").open("rb") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         assert driven_boards() == {}
@@ -223,8 +224,7 @@ def test_suspended_guardian_is_resumed_and_stops_the_motors(
     stop = StopSequence(bytes.fromhex("d07f7ff000"), (b"\x84",), 1, 1, False, 0.07, note)
     guardian.watch(stop)
     os.write(port, b"\xc2\x40")
-    while not (file.exists() and file.stat().st_size and is_locked(file)):
-        time.sleep(0.01)
+    assert comes_true(lambda: file.exists() and file.stat().st_size and is_locked(file))
     assert guardian._process is not None
     assert guardian._process.stdin is not None
     guardian._process.send_signal(signal.SIGSTOP)
@@ -232,10 +232,10 @@ def test_suspended_guardian_is_resumed_and_stops_the_motors(
     os.dup2(null, guardian._process.stdin.fileno())  # closes the pipe, like the end of the program
     os.close(null)
     os.close(port)
-    while "(stopped)" not in Path(f"/proc/{guardian._process.pid}/status").read_text():
-        time.sleep(0.01)
+    status = Path(f"/proc/{guardian._process.pid}/status")
+    assert comes_true(lambda: "(stopped)" in status.read_text())
     SerialTransport(PortSettings(simulator.url, SerialFormat(19200))).close()
     assert simulator.show()["motors"][0]["direction"] == "brake"
     assert not file.exists()
-    guardian._process.wait()
+    guardian._process.wait(25)
     assert len(logged_stops(0)[1]) == 2, "the guardian and the opened line have stopped the motors"
