@@ -1,4 +1,4 @@
-"""trex-sim in a separate process, in real time."""
+"""Command line, endpoints and control lines of trex-sim."""
 
 import json
 import os
@@ -227,8 +227,12 @@ class TestTcp:
         for _ in range(2):
             assert request(sim.url, "81", 7) == b"TReX1.2"
         replies: set[bytes] = set()
-        while len(replies) < 5:  # the sticks of the demo move
+
+        def has_five_replies() -> bool:
             replies.add(request(sim.url, "86 1F", 10))
+            return len(replies) == 5
+
+        assert comes_true(has_five_replies), "the sticks of the demo move"
         with socket.create_connection(address, LONG_TIMEOUT) as connection:
             connection.sendall(b"\x82")
             assert connection.recv(1) == b"r"

@@ -24,10 +24,7 @@ from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
-pytestmark = [
-    pytest.mark.realtime,
-    pytest.mark.skipif(sys.platform == "win32", reason="shares a descriptor"),
-]
+pytestmark = pytest.mark.realtime
 
 STOP = StopSequence(b"\xc1\x00\xf0\x00", (b"\x84",), 1, 0x01, has_echo=False, seconds=0.05)
 LONG_SILENCE = 3600.0  # seconds; longer than any test
@@ -184,9 +181,12 @@ def test_suspended_guardian_is_lost_and_may_be_killed(board: Board, ends: Ends) 
     guardian = started(ends[0])
     assert guardian._process is not None
     guardian._process.send_signal(signal.SIGSTOP)
-    while guardian.is_ready:
+
+    def is_lost() -> bool:
         guardian.watch(STOP)
-        time.sleep(0.05)
+        return not guardian.is_ready
+
+    wait_until(is_lost)
     assert not guardian.end()
     assert has_ended(guardian)
     assert board.received == b""
@@ -204,9 +204,13 @@ def test_session_replaces_a_suspended_guardian(start_simulator: StartSimulator) 
     assert first._process is not None
     transport.beat()
     first._process.send_signal(signal.SIGSTOP)
+
+    def is_replaced() -> bool:
+        transport.wait(0.05)
+        return first.has_ended and transport._guardian.is_ready
+
     try:
-        while not (first.has_ended and transport._guardian.is_ready):
-            transport.wait(0.05)
+        wait_until(is_replaced)
         assert line._guardian is not first
     finally:
         transport.close()
@@ -301,7 +305,7 @@ def test_stop_of_silent_board_is_repeated_until_session_returns(
     assert logged(guardian) is StopResult.REPEATED
 
 
-def test_end_waits_for_guardian_with_blocked_write(
+def test_end_waits_longer_than_a_guardian_stops_motors(
     ends: Ends, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     guardian = started(ends[0])

@@ -1,8 +1,7 @@
-"""Line whose thread is suspended for a while."""
+"""Line whose thread is suspended for a while, or whose other end does not read."""
 
 import os
 import select
-import sys
 import time
 import tty
 from collections.abc import Iterator
@@ -15,10 +14,7 @@ from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
-pytestmark = [
-    pytest.mark.realtime,
-    pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals"),
-]
+pytestmark = pytest.mark.realtime
 
 
 @pytest.fixture

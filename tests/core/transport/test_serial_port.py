@@ -143,7 +143,8 @@ def test_garbage_from_rfc2217_server_is_a_port_failure(
     with socket.create_server(("127.0.0.1", 0)) as server:
         url = f"rfc2217://127.0.0.1:{server.getsockname()[1]}"
         garbage = threading.Event()
-        relay = threading.Thread(target=relay_one, args=(server, int(target), garbage))
+        arguments = (server, int(target), garbage)
+        relay = threading.Thread(target=relay_one, args=arguments, daemon=True)
         relay.start()
         if moment == "at once":
             garbage.set()
@@ -209,6 +210,7 @@ def test_all_byte_values_pass_unchanged(terminal: tuple[int, str], opened: Open)
     transport.write(everything)
     received = b""
     while len(received) < len(everything):  # a terminal may deliver the bytes in pieces
+        assert select.select([master], [], [], LONG_TIMEOUT)[0]
         received += os.read(master, 512)
     assert received == everything
     os.write(master, everything)
@@ -368,7 +370,6 @@ def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None
     message = str(open_error(terminal[1], LINE, denied))
     group = grp.getgrgid(Path(terminal[1]).stat().st_gid).gr_name
     assert message.startswith(f"Permission denied for {terminal[1]}.")
-    assert "sudo" in message
     if group != "root":
         assert f"sudo usermod -aG {group} $USER" in message
     assert f"sudo chmod a+rw {terminal[1]}" in message
