@@ -1,6 +1,6 @@
 """Commands, library and examples run without the packages of the window.
 
-Of slow commands and of Aracna commands, only the help is printed.
+Only the help is printed of commands that are slow, use the network or need an Aracna.
 """
 
 import json
