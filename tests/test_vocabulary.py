@@ -50,8 +50,7 @@ REPLACED = {
 }
 """Words that identifiers must not contain, and their replacements."""
 
-EXCEPTIONS = {"ODD": "a parity", "TWIN": "a grade of evidence"}
-"""Exceptions: identifiers that contain such a word, and the reason."""
+EXCEPTIONS = {"ODD": "a parity", "TWIN": "a grade of evidence"}  # identifier → its meaning
 
 
 def identifiers(tree: ast.AST) -> Iterator[tuple[str, int]]:

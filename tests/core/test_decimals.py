@@ -61,7 +61,7 @@ def test_quantity_accepts_any_prefix_of_its_unit(
     assert quantity(text, unit) == number
 
 
-def test_thousands_are_excluded_only_for_unit_without_prefix() -> None:
+def test_thousands_are_excluded_only_for_the_same_prefix() -> None:
     assert quantity("2.498 V", "V", thousands=False) == 2.498
     with pytest.raises(AmbiguousNumber):
         quantity("2,498 mV", "V", thousands=False)

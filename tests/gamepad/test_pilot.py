@@ -78,9 +78,13 @@ def test_stop_button_acts_once_per_press() -> None:
 def test_tank_style_maps_each_axis_to_one_motor() -> None:
     profile = replace(PROFILE, style=Style.TANK, first=Axis(1, True), second=Axis(0, True))
     pilot = centred_pilot(profile)
-    request = pilot.update(pad_state(y=-1.0, down=(HOLD,)))
-    assert request.forward + request.turn == pytest.approx(1)
-    assert request.forward == request.turn
+    for state, motors in (
+        (pad_state(y=-1.0, down=(HOLD,)), (1, 0)),
+        (pad_state(x=-1.0, down=(HOLD,)), (0, 1)),
+    ):
+        request = pilot.update(state)
+        left, right = request.forward + request.turn, request.forward - request.turn
+        assert (left, right) == pytest.approx(motors)
 
 
 def test_missing_axis_gives_zero_setpoint() -> None:

@@ -122,7 +122,8 @@ def test_icon_file_contains_a_picture_of_every_size(
     icons.write_icon(tmp_path / f"icon{suffix}")
     content = (tmp_path / f"icon{suffix}").read_bytes()
     assert content.startswith(start)
-    sizes = icons.ICO_SIZES if suffix == ".ico" else icons.ICNS_TYPES
-    assert content.count(b"\x89PNG") == len(sizes)
+    sizes = icons.ICO_SIZES if suffix == ".ico" else icons.ICNS_TYPES.values()
+    widths = [int.from_bytes(picture[12:16], "big") for picture in content.split(b"\x89PNG")[1:]]
+    assert widths == list(sizes)
     if suffix == ".icns":
         assert int.from_bytes(content[4:8], "big") == len(content)
