@@ -95,3 +95,4 @@ def test_closed_streams_fail_when_used(replace: Replace, monkeypatch: pytest.Mon
         assert sys.stdin.read() == ""
         with pytest.raises(click.ClickException, match="it is closed"):
             click.echo("data")
+    assert len(opened) == 3, "a failed write opens nothing"

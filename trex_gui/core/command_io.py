@@ -67,7 +67,8 @@ class _Output:
             if error.errno == errno.EPIPE:
                 raise
             with contextlib.suppress(OSError):  # otherwise each later flush would fail
-                os.dup2(os.open(os.devnull, os.O_WRONLY), self.below.fileno())
+                number = self.below.fileno()
+                os.dup2(os.open(os.devnull, os.O_WRONLY), number)
             if self._is_data:
                 reason = error.strerror or "it is closed"
                 failure = f"Standard output cannot be written: {reason}."
