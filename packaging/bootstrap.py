@@ -205,8 +205,8 @@ class Debian:
 
     def missing(self, wanted: Iterable[str]) -> list[str]:
         """Return the wanted packages that no installed package provides."""
-        listing = "--showformat=${db:Status-Status}\t${Package}\t${Provides}\n"
-        outcome = self._run(["dpkg-query", "--show", listing], {})
+        row = "${db:Status-Status}\t${Package}\t${Provides}\n"
+        outcome = self._run(["dpkg-query", "--show", f"--showformat={row}"], {})
         installed = packages_in(outcome.output)
         return [name for name in wanted if name not in installed]
 
@@ -508,7 +508,7 @@ def command_demo() -> int:
     say(f"{reason}, so the demonstration runs offscreen and saves a screenshot of every page.")
     before = screenshots()
     status = run_visibly([*demo, "--tour", SCREENSHOTS.name], OFFSCREEN)
-    written = [path for path, time in screenshots().items() if before.get(path) != time]
+    written = [path for path, modified in screenshots().items() if before.get(path) != modified]
     if status != 0 or not written:
         raise BootstrapError(f"The demonstration failed with status {status}.")
     say("Written:")

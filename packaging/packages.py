@@ -285,7 +285,7 @@ def licence_texts(package: Distribution) -> str:
     names = re.compile(r"(LICEN[CS]E|COPYING|NOTICE)[^/]*", re.IGNORECASE)
     files = [file for file in package.files or [] if names.fullmatch(file.name)]
     in_metadata = [file for file in files if ".dist-info" in str(file)]
-    return "\n\n".join(f"{file.read_text(encoding='utf-8')}" for file in in_metadata)
+    return "\n\n".join(file.read_text(encoding="utf-8") for file in in_metadata)
 
 
 def copy_licences(folder: Path) -> None:
@@ -388,8 +388,8 @@ def needed_packages(folder: Path) -> list[str]:
     needed: set[str] = set()
     for path in [*libraries, *(folder / name for name in PROGRAMS)]:
         if not path.is_symlink():
-            listing = run(["objdump", "-p", path])
-            needed.update(re.findall(r"^\s+NEEDED\s+(\S+)$", listing, re.MULTILINE))
+            headers = run(["objdump", "-p", path])
+            needed.update(re.findall(r"^\s+NEEDED\s+(\S+)$", headers, re.MULTILINE))
     return sorted(set(debian_packages(needed - {path.name for path in libraries}).values()))
 
 

@@ -35,8 +35,8 @@ def main() -> None:
     shutil.copytree(BUNDLE.with_name("trex-studio") / "licences", content / "Licences")
     (ROOT / "dist").mkdir(exist_ok=True)
     file = ROOT / "dist" / f"trex-studio-{version()}-macos-{platform.machine()}.dmg"
-    create = ["hdiutil", "create", "-volname", "TReX Studio", "-fs", "HFS+", "-format", "UDZO"]
-    subprocess.run([*create, "-ov", "-srcfolder", content, file], check=True)
+    hdiutil = ["hdiutil", "create", "-volname", "TReX Studio", "-fs", "HFS+", "-format", "UDZO"]
+    subprocess.run([*hdiutil, "-ov", "-srcfolder", content, file], check=True)
 
 
 if __name__ == "__main__":

@@ -106,8 +106,8 @@ class Installation:
     def require_installed(self, version: str) -> None:
         for path in (*map(self.folder.__truediv__, PROGRAMS), self.menu_entry):
             require(path.exists(), f"{path} was not installed")
-        listing = self.windows.run(["reg", "query", self.key, "/reg:64"])
-        require(version in listing, f"the registry does not contain version {version}:\n{listing}")
+        values = self.windows.run(["reg", "query", self.key, "/reg:64"])
+        require(version in values, f"the registry does not contain version {version}:\n{values}")
 
     def require_removed(self) -> None:
         require_gone([self.folder, self.menu_entry])

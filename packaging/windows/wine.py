@@ -230,8 +230,8 @@ class Wine(Windows):
 def exported_names(library: Path) -> set[str]:
     """Return the names that a Windows library exports."""
     command = [COMPILER.replace("gcc", "objdump"), "-p", str(library)]
-    listing = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    table = listing.partition("[Ordinal/Name Pointer] Table")[2].partition("\n\n")[0]
+    headers = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    table = headers.partition("[Ordinal/Name Pointer] Table")[2].partition("\n\n")[0]
     return set(re.findall(r"^\t\[ *\d+\].* (\S+)$", table, re.MULTILINE))
 
 
