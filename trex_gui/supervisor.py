@@ -225,9 +225,9 @@ class ExceptionWatch:
 def slept_so_far() -> float:
     """Return the seconds for which this computer has slept since it started. 0 if unknown.
 
-    Only Linux has both a clock that pauses during sleep and a clock that continues. On Windows the
-    monotonic clock continues, so the line session detects missed heartbeats. On macOS the
-    monotonic clock pauses, and sleep is not detected.
+    Only Linux has `CLOCK_BOOTTIME`, which continues during sleep. Elsewhere `WindowsEvents` and
+    `MacEvents` announce sleep. On Windows the monotonic clock continues, too, so the line session
+    detects missed heartbeats.
     """
     boottime = getattr(time, "CLOCK_BOOTTIME", None)
     return time.clock_gettime(boottime) - time.monotonic() if boottime is not None else 0.0

@@ -25,7 +25,7 @@ replies to each line with "ok ..." or "error ...".
 
 
 def _read_address(text: str) -> tuple[str, int]:
-    """Parse HOST:PORT. IPv6 addresses are in brackets."""
+    """Parse HOST:PORT. IPv6 addresses are in brackets. The default host is 127.0.0.1."""
     host, _, port = text.rpartition(":")
     if not (port.isascii() and port.isdigit() and int(port) <= 0xFFFF):
         raise click.BadParameter(f"{text!r} is not HOST:PORT such as 127.0.0.1:0")

@@ -31,7 +31,7 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
 
 class CommandFailed(click.ClickException):
-    """Failure of a device, a line or a file. The exit code is 1."""
+    """Failure of a device, a line or a file. Exit code: 1, or see `FAILURE_EXIT_CODE`."""
 
     def __init__(self, message: object) -> None:
         super().__init__(str(message))

@@ -1,4 +1,4 @@
-"""Errors that the program reports to users. Each text is a sentence."""
+"""Errors that the program reports to users."""
 
 from collections.abc import Callable
 from enum import Enum
@@ -11,10 +11,7 @@ class StudioError(Exception):
 
 
 class BadRequest(StudioError, ValueError):  # noqa: N818
-    """Invalid input, rejected before anything is sent.
-
-    The text names the value and its allowed range.
-    """
+    """Invalid request, rejected before anything is sent. The text may be a clause."""
 
 
 class PortUnavailable(StudioError):  # noqa: N818

@@ -17,7 +17,7 @@ def _english(text: str, comment: str, count: int) -> str:
 
 _translate: Callable[[str, str, int], str] = _english
 _decimal_point = "."
-_clear_caches: list[Callable[[], None]] = []
+_cache_resets: list[Callable[[], None]] = []
 _is_english = ContextVar("_is_english", default=False)
 
 
@@ -45,7 +45,7 @@ def cached_text(function: Callable[P, T]) -> Callable[P, T]:
         return function(*args, **kwargs)
 
     call: Callable[..., T] = cached
-    _clear_caches.append(cached.cache_clear)
+    _cache_resets.append(cached.cache_clear)
 
     @wraps(function)
     def text(*args: P.args, **kwargs: P.kwargs) -> T:
@@ -81,5 +81,5 @@ def in_english() -> Iterator[None]:
 def use_translations(translate: Callable[[str, str, int], str], decimal_point: str = ".") -> None:
     global _translate, _decimal_point
     _translate, _decimal_point = translate, decimal_point
-    for clear in _clear_caches:
-        clear()
+    for reset in _cache_resets:
+        reset()

@@ -31,7 +31,7 @@ _watching_since: list[str] = []
 
 
 def watching_since() -> str:
-    """Return the time of the first heartbeat as in the log. `9999` if none has been sent."""
+    """Return the time of the first heartbeat in the format of the log. `9999` before it."""
     return _watching_since[0] if _watching_since else "9999"
 
 

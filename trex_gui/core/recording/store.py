@@ -62,7 +62,7 @@ ExportRow = tuple[float, int, tuple[Value, ...]]
 """Time from the start (s), index of the sample kind, values of its exported columns."""
 
 
-def reason_of(error: Exception) -> str:
+def _reason_of(error: Exception) -> str:
     if getattr(error, "sqlite_errorcode", None) == sqlite3.SQLITE_FULL:
         return os.strerror(errno.ENOSPC)
     return str(getattr(error, "strerror", None) or error)
@@ -74,7 +74,7 @@ def reported(path: Path, message: str) -> Iterator[None]:
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
-        raise RecordingError(str(path), tr(message).format(reason_of(error))) from error
+        raise RecordingError(str(path), tr(message).format(_reason_of(error))) from error
 
 
 # --- Writing ----------------------------------------------------------------------------
@@ -295,7 +295,7 @@ class Recording(Generic[HeaderT, RecordT]):
                     uri, uri=True, timeout=0, isolation_level=None, check_same_thread=False
                 )
             except sqlite3.Error as error:
-                reason = reason_of(error)
+                reason = _reason_of(error)
                 continue
             try:
                 database.execute("PRAGMA trusted_schema = OFF")
@@ -311,7 +311,7 @@ class Recording(Generic[HeaderT, RecordT]):
                         "file again."
                     )
                     raise self._error(message) from error
-                reason = reason_of(error)
+                reason = _reason_of(error)
             else:
                 self._resources.callback(database.close)
                 return database

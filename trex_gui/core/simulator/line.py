@@ -237,7 +237,7 @@ class SimulatedLine:
         return data
 
     def run_until_received(self, size: int, end: float) -> bool:
-        """Run actions until `end` or until the host can read `size` bytes. Return the latter."""
+        """Run actions until `end` or until `size` bytes are received. Return whether they are."""
         while len(self._received) < size and self.timeline.step(end):
             pass
         return len(self._received) >= size

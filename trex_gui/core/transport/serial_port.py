@@ -1,4 +1,4 @@
-"""Serial port that reports every failure as a sentence.
+"""Serial port that converts every failure to an error for the user.
 
 A small interface hides pyserial's local and remote ports, so that tests can replace them with a
 simulated wire in virtual time.

@@ -215,7 +215,7 @@ class Decoder(ABC):
         return self.decoded(transaction).is_fault
 
     def decoded(self, transaction: Transaction) -> Decoded:
-        """Return the meaning of a transaction. The result is cached once it is complete."""
+        """Return the meaning of a transaction, which is cached once the transaction is over."""
         # Read only once, because another thread may clear the cache.
         if (known := transaction.cached_meaning) is not None:
             return known
