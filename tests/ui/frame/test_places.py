@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from trex_gui.ui.frame.places import Places
@@ -37,7 +37,11 @@ def test_narrow_bar_shows_icons_instead_of_names(places: Places) -> None:
 
 
 def test_tab_key_moves_the_focus_to_the_bar(places: Places) -> None:
-    assert places.bar.focusPolicy() is Qt.FocusPolicy.TabFocus
+    button = QPushButton(places.window())
+    button.show()
+    button.setFocus()
+    QTest.keyClick(button, Qt.Key.Key_Tab)
+    assert places.bar.hasFocus()
 
 
 def test_arrow_keys_move_through_the_visible_places(places: Places) -> None:
