@@ -252,16 +252,16 @@ def _window(folder: Path) -> Iterator[tuple[Program, VirtualComputer]]:
 
 CONFIGURATION_KEYS = (
     *("window/geometry", "window/state", "window/scheme", "window/font_size", "window/device"),
-    *("files/recent", "connection/automatic", "trex/page", "aracna/page"),
+    *("files/recent", "trex/page", "aracna/page", "demo_panel/wanted", "aracna/demo_panel"),
     *("ports/typed", "ports/known", "line/settings", "line/device_number", "line/polynomial"),
-    *("line/reserved", "motors/ceilings/trex-1.2-7", "motors/brake", "motors/lockout"),
-    *("motors/return_to_zero", "gamepad/last", "gamepad/stops_unfocused"),
-    *("aracna/limits", "aracna/folder", "transcript/polling", "aracna/transcript/polling"),
-    *("parameters/both_motors", "parameters/name_width", "parameters/value_width"),
-    *("demo/visible", "export/light_background", "settings/folder", "recording/folder"),
-    *("editor/geometry", "history/geometry"),
+    *("line/reserved", "boards/virtual%3Aboard", "motors/ceilings/trex-1.2-7", "motors/brake"),
+    *("motors/lockout", "motors/return_to_zero", "motors/stop_on_leaving"),
+    *("gamepad/stops_unfocused", "aracna/limits", "transcript/polling", "aracnaTranscript/polling"),
+    *("currents/window", "currents/top", "currents/shown", "currents/colors"),
+    *("currents/plot_splitter", "currents/figures_splitter", "export/light_background"),
+    *("recording/keep_events", "recording/with_run", "parameters/both_motors", "units/own_first"),
 )
-"""Every key that the program reads."""
+"""Keys that the window reads until it is connected to the board at `URL`."""
 
 INVALID_VALUES = (
     *("99999999999999999999", "-1", "1, 2, 3", "@Invalid()", "@Size(1 2)", "nan", "1e999", "@", ""),
@@ -300,12 +300,15 @@ def check_configuration(data: bytes, folder: Path) -> None:
     )
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(data)
-    with _window(folder) as (program, _):
+    with _window(folder) as (program, computer):
         assert program.window.isVisible()
         for workspace in program.workspaces.values():
-            for page in range(workspace.pages.count()):
-                workspace.pages.setCurrentIndex(page)
+            for number in range(workspace.page_count):
+                workspace.show_page_at(number)
+        program.create_plots()
         assert program.window.size().width() < 100_000
+        program.connect_to_port(URL, "trex")
+        computer.advance(2.0)
 
 
 GUI_WORDS = (b"--port", b"--device", b"--settings", b"--timeout", b"--demo", b"--tour", b"--x")

@@ -17,6 +17,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.fuzz import fuzzing
 from tests.fuzz.fuzzing import Finding, Target, attempt, growth, run
+from tests.fuzz.programs import CONFIGURATION_KEYS, check_configuration
 from tests.fuzz.targets import TARGETS
 from tests.fuzz.wire import PACKETS, REPLIES
 from tests.support.matrix import LONG_FACTOR
@@ -36,6 +37,7 @@ from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
+from trex_gui.ui.preferences import Preferences
 
 CORPUS_INPUTS = [
     pytest.param(target, path, id=f"{target.name}-{path.name}")
@@ -89,6 +91,20 @@ def test_memory_does_not_grow_with_random_inputs(
 ) -> None:
     caplog.set_level(logging.CRITICAL)  # pytest keeps every record
     assert growth(target, seed, 0) <= target.growth, f"seed {seed}"
+
+
+def test_configurations_have_the_keys_that_the_window_reads(
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    keys, read = {"units/own_first"}, Preferences._read  # the units are read once in a process
+
+    def record_key(store: Preferences, key: str, *rest: Any) -> object:
+        keys.add(key)
+        return read(store, key, *rest)
+
+    monkeypatch.setattr(Preferences, "_read", record_key)
+    check_configuration(b"", tmp_path)
+    assert keys == {*CONFIGURATION_KEYS}
 
 
 # --- The fuzzer -------------------------------------------------------------------------
