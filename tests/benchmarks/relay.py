@@ -1,8 +1,9 @@
-"""Relay that delays a TCP connection and reports when a stop of a TReX passes.
+"""Relay that delays a TCP connection, or reports when a stop of a TReX passes.
 
     python -m tests.benchmarks.relay LISTEN_PORT TARGET_PORT DELAY_S LOSS
 
-A lost TCP packet and all later packets are delayed by a retransmission timeout.
+Only without a delay, the relay prints the time of each stop. A lost TCP packet and all later
+packets are delayed by a retransmission timeout.
 """
 
 import asyncio

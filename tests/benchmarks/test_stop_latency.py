@@ -81,7 +81,7 @@ def is_drive(data: bytes, number: int) -> bool:
 
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("baud", [19200, 115200])
-def test_delay_from_press_to_wire_stays_below_limit(
+def test_delay_added_between_press_and_wire_stays_below_limit(
     baud: int,
     window: WindowDriver,
     start_simulator: StartSimulator,
@@ -99,7 +99,7 @@ def test_delay_from_press_to_wire_stays_below_limit(
         timeout=20_000,
     )
     device.motors.lockout = 0.0
-    window.window.pages.setCurrentIndex(3)
+    window.window.pages.setCurrentIndex(3)  # Currents, with the live plot
     stop = window.button("stopButton")
     slider = window.find(QSlider, "motor1Slider")
     pauses = random.Random(1)

@@ -118,7 +118,7 @@ def _is_connected(process: int, url: str) -> bool:
 
 
 def _children(process: int) -> list[int]:
-    """Return all descendants of a process. The youngest process is the last one."""
+    """Return all descendants of a process, each after its parent."""
     children: list[int] = []
     for task in Path(f"/proc/{process}/task").glob("*/children"):
         for child in map(int, task.read_text().split()):

@@ -1,7 +1,7 @@
 """Send messages to the server of a board, without a real network. No motor may move.
 
-First, watchers send changed and replayed messages. Then two drivers use a simulated network that
-loses, delays and reorders messages.
+First, a watcher and a stranger send changed messages, and messages of the driver are replayed. Then
+two drivers use a simulated network that loses, delays and reorders messages.
 """
 
 import logging
@@ -34,38 +34,35 @@ def _changed(data: bytes, generator: random.Random) -> bytes:
 
 
 def attack(seconds: float, seed: int) -> list[str]:
-    """Send messages of two watchers, and repeat messages of the driver."""
+    """Send messages of a watcher and a stranger, and repeat messages of the driver."""
     generator, end, count = random.Random(seed), time.monotonic() + seconds, 0
-    driver = ServerHarness()
-    driver.server.report(CONNECTED)
-    driver.join("alice")
-    driver.join("watcher", Role.WATCH)
+    harness = ServerHarness()
+    harness.server.report(CONNECTED)
+    driver, watcher = harness.join("driver"), harness.join("watcher", Role.WATCH)
+    stranger = Party("id-stranger", "stranger", Role.WATCH)
     recorded = [
-        driver.message("alice", request)
+        harness.message("driver", request)
         for request in (AskLease(), Arm(), SetMotor(1, Drive.at(50)), Heartbeat(), Alive())
     ]
     for data in recorded:
-        driver.server.handle(driver.parties["alice"], data)
-    driver.session.clear()
-    driver.received.clear()
-    stranger = Party("id-stranger", "stranger", Role.WATCH)
+        harness.server.handle(driver, data)
+    harness.session.clear()
+    harness.received.clear()
     while time.monotonic() < end:
         for _ in range(1000):
             count += 1
-            driver.now += 0.005
-            sender = generator.choice(
-                (driver.parties["watcher"], stranger, driver.parties["alice"])
-            )
+            harness.now += 0.005
+            sender = generator.choice((watcher, stranger, driver))
             data = generator.choice(recorded)
-            if sender != driver.parties["alice"]:
-                request = generator.choice(REQUESTS)
-                data = _changed(encode_request(request, count, driver.now, driver.now), generator)
-            driver.server.handle(sender, data)
-        driver.received.clear()
-        if moved := [request for request in driver.session if _moves(request)]:
+            if sender != driver:
+                request, now = generator.choice(REQUESTS), harness.now
+                data = _changed(encode_request(request, count, now, now), generator)
+            harness.server.handle(sender, data)
+        harness.received.clear()
+        if moved := [request for request in harness.session if _moves(request)]:
             return [f"message {count}: {moved[0]}"]
-        driver.session.clear()
-    print(f"{count} messages, none moved a motor; refused: {dict(driver.server.refused)}")
+        harness.session.clear()
+    print(f"{count} messages, none moved a motor; refused: {dict(harness.server.refused)}")
     return []
 
 

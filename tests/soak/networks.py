@@ -83,7 +83,7 @@ def namespace() -> Iterator[None]:
 
 
 def _connect() -> None:
-    """Set up the network. Repairs it after any cut."""
+    """Set up the network, or repair it after a cut."""
     inside = "netns", "exec", _NAMESPACE, "ip"
     _ip("addr", "replace", f"{_NET}.1/24", "dev", _HOST_LINK)
     _ip("link", "set", _HOST_LINK, "up")

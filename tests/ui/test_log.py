@@ -57,7 +57,7 @@ def test_entries_have_the_times_of_their_events(qtbot: QtBot, clocks: Clocks) ->
     ]
 
 
-def test_event_and_its_message_are_one_entry(qtbot: QtBot, clocks: Clocks) -> None:
+def test_message_repeated_at_once_is_logged_once(qtbot: QtBot, clocks: Clocks) -> None:
     log = Log()
     log.add("Gone.", is_problem=True)
     log.add("Gone.", is_problem=True)

@@ -99,7 +99,7 @@ def test_pages_and_plots_are_created_when_first_shown(new_program: Program) -> N
     assert new_program.window.findChild(QWidget, "curvePlot") is not None
 
 
-def test_unused_device_kind_is_found_and_gets_all_its_pages(
+def test_unused_device_kind_can_be_found_and_connected(
     new_program: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     robot = start_simulator("--aracna", "--unpaced")
@@ -114,7 +114,7 @@ def test_unused_device_kind_is_found_and_gets_all_its_pages(
     assert new_program.window.pages is new_program.workspace("aracna").pages
 
 
-def test_file_of_an_unused_device_kind_is_opened(new_program: Program, tmp_path: Path) -> None:
+def test_file_of_an_unused_kind_shows_the_workspace(new_program: Program, tmp_path: Path) -> None:
     path = tmp_path / "poses.ppr"
     path.write_text("", encoding="ascii")
     new_program.window.files.open_file(path)

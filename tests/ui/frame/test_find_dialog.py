@@ -58,7 +58,7 @@ def test_network_addresses_are_listed_but_not_checked(
     }
 
 
-def test_check_marks_survive_a_refresh_and_selected_port_is_first(
+def test_check_marks_survive_a_refresh(
     dialog: FindBoardDialog, ports: Ports, computer: list[ListPortInfo]
 ) -> None:
     dialog.ports()[0].setCheckState(Qt.CheckState.Unchecked)
@@ -67,13 +67,20 @@ def test_check_marks_survive_a_refresh_and_selected_port_is_first(
     ports.refresh()
     assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": False, "/dev/ttyUSB1": True}
     assert dialog.is_enabled("findStartButton")
-    assert isinstance(dialog.root, FindDialog)
-    dialog.root.open_dialog(ports.find("/dev/ttyUSB1"))
-    assert list(dialog.rows()) == ["/dev/ttyUSB1", "/dev/ttyUSB0  (An adapter)"]
     computer.clear()
     ports.refresh()
     assert dialog.rows() == {}
     assert not dialog.is_enabled("findStartButton")
+
+
+def test_selected_port_is_listed_first(
+    dialog: FindBoardDialog, ports: Ports, computer: list[ListPortInfo]
+) -> None:
+    computer.append(serial_port("/dev/ttyUSB1", "n/a"))
+    ports.refresh()
+    assert isinstance(dialog.root, FindDialog)
+    dialog.root.open_dialog(ports.find("/dev/ttyUSB1"))
+    assert list(dialog.rows()) == ["/dev/ttyUSB1", "/dev/ttyUSB0  (An adapter)"]
 
 
 def test_ports_with_boards_are_listed_first(dialog: FindBoardDialog, ports: Ports) -> None:

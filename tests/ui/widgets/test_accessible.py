@@ -59,7 +59,7 @@ def test_sign_has_a_name_while_it_is_visible(qtbot: QtBot) -> None:
 
 
 @pytest.mark.parametrize("has_value", [True, False])
-def test_other_interfaces_are_absent(has_value: bool, qtbot: QtBot) -> None:
+def test_only_a_widget_with_a_value_has_a_value_interface(has_value: bool, qtbot: QtBot) -> None:
     widget = StickSlider(0, 1, 0, "bar") if has_value else Lamp("led_red")
     qtbot.addWidget(widget)
     interface = interface_of(widget)
@@ -68,7 +68,7 @@ def test_other_interfaces_are_absent(has_value: bool, qtbot: QtBot) -> None:
     assert (interface.valueInterface() is not None) is has_value
 
 
-def test_interface_lives_exactly_as_long_as_its_widget(qtbot: QtBot) -> None:
+def test_interface_survives_the_deletion_of_other_widgets(qtbot: QtBot) -> None:
     parent = QWidget()
     qtbot.addWidget(parent)
     permanent = Lamp("led_red", parent)

@@ -1,4 +1,4 @@
-"""Question above the pages of a window."""
+"""Question with its answers in a row of the window."""
 
 import pytest
 from PySide6.QtCore import Qt

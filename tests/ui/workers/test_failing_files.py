@@ -1,4 +1,4 @@
-"""Internal errors in file threads are reported as failures."""
+"""Internal errors in file threads, and undecodable names in files."""
 
 import logging
 import os
