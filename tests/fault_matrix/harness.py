@@ -23,7 +23,7 @@ FIRST, OTHER, JUNIOR = 7, 8, 9
 CHECK_INTERVAL_MS = 20
 """Milliseconds between two checks of the window."""
 
-MIN_GAP = 0.1  # seconds
+MIN_GAP = 0.1  # seconds by which a late check counts as a gap
 
 SERIAL_TIMEOUT = 15
 """Tenths of a second. Shorter than the duration of a fault."""
@@ -135,7 +135,7 @@ class FaultHarness:
         self.url = self.line.url
         for dialog in ("learnDialog", "reviewDialog"):
             window.dialog(dialog)
-        self._labels = [window.root.findChild(QLabel, name) for name in LABELS]
+        self._labels = [window.find(QLabel, name) for name in LABELS]
         self._due = now() + CHECK_INTERVAL_MS / 1000
         self.listen_to(window.device.notifier)
         self._timer = new_timer(window.window, CHECK_INTERVAL_MS, self._check_window)
@@ -236,7 +236,7 @@ class FaultHarness:
             self.gaps.append((self._due, time))
         self._due = time + CHECK_INTERVAL_MS / 1000
         for label in self._labels:
-            if label is not None and label.isVisible():
+            if label.isVisible():
                 self._record(label.text())
 
     def _record(self, text: str) -> None:

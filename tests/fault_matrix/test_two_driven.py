@@ -13,8 +13,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
-HOLD_SECONDS, HEAL_SECONDS = 3.0, 5.0
-OFF_SECONDS = 1.0  # a hand needs as long for a switch. The program may ignore a shorter silence.
+HOLD_SECONDS, HEAL_SECONDS = 3.0, 5.0  # duration of a fault, and time to recover
+OFF_SECONDS = 1.0  # a hand needs this long for a switch; shorter silences may be ignored
 SPARE = "@8"  # board that replaces another board
 NUMBERS = (7, 9)
 

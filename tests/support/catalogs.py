@@ -46,7 +46,7 @@ def translation_of_qt(language: str, text: str) -> str:
 
 @cache
 def _texts(language: str) -> dict[str, tuple[str, ...]]:
-    """Return the translation or the plural forms of each source text. Empty for English."""
+    """Return the translation or the plural forms of each source text. English has only plurals."""
     file = resource("translations") / f"trex_gui_{language}.ts"
     read = load_script("translations").read(file)
     return {text.source: forms for text, forms in read.items()}

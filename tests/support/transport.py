@@ -17,7 +17,7 @@ class SimulatedTransport(Generic[LineT]):
         line: simulated line with its device.
         sent: all written bytes.
         written: time and bytes of each write.
-        fail: exception that each access raises. `None`: the line works.
+        fail: exception that reads, writes and changes of the format raise, or `None`.
     """
 
     latency = 0.005

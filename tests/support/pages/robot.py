@@ -58,17 +58,17 @@ class RobotWindow(WindowDriver):
         return self.program.device_manager.is_idle
 
     def select_demo(self, kind: str = "aracna") -> None:
-        """Select a simulated device in the list of ports. Wait until it is read."""
+        """Select a simulated device in the port list and connect to it."""
         self.connect_port(self.program.ports.demo_of(kind))
         self.wait_until_up(kind)
 
     def wait_until_up(self, kind: str = "aracna") -> None:
-        """Wait until the TReX or the Aracna is read."""
+        """Wait until the TReX or the Aracna is connected."""
         model = self.device if kind == "trex" else self.robot
         self.wait(lambda: model.link is ConnectionState.CONNECTED)
 
     def press_connect(self, kind: str = "aracna") -> None:
-        """Press Connect and wait until the device is read."""
+        """Press Connect and wait until the device is connected."""
         self.click("connectButton")
         self.wait_until_up(kind)
 
