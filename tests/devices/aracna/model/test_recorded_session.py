@@ -11,6 +11,7 @@ from tests.devices.aracna.model.test_robot import RobotHarness
 from tests.devices.aracna.recordings import open_recording, read_all
 from tests.support.playing import loading
 from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.core.events import EventKind
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.model.recordings import AracnaRecorder, RobotPlayback
@@ -187,6 +188,20 @@ def test_disconnect_ends_recording(session: Session) -> None:
         session.robot.close()
     assert not session.recorder.recording
     assert read_all(session.path)[1] == []
+
+
+def test_recording_ends_when_robot_with_other_motor_count_responds(session: Session) -> None:
+    simulator = session.simulator
+    assert isinstance(simulator, VirtualSimulator)
+    other = VirtualSimulator(simulator.runtime, "other", "--aracna", "--unpaced", "--motors", "2")
+    session.move((500,) * 8)
+    session.recorder.start(session.path)
+    with session.qtbot.waitSignal(session.recorder.ended_early, timeout=TIMEOUT_MS) as ended:
+        simulator.move_cable_to(other)
+    assert "the number of motors has changed" in ended.args[0]
+    first, *_ = read_all(session.path)[0]
+    assert isinstance(first, Moved)
+    assert first.present == (500,) * 8
 
 
 def test_recording_needs_connected_robot(tmp_path: Path, qtbot: QtBot) -> None:

@@ -21,6 +21,7 @@ KindT = TypeVar("KindT")
 
 LOW = (300,) * 8
 HIGH = (400,) * 8
+STEP_SECONDS = 0.2
 
 
 class RobotHarness:
@@ -191,6 +192,35 @@ def test_drag_with_rejected_speed_is_reported_once(robot: Robot, harness: RobotH
     assert "Motor 5 did not accept speed 200" in harness.messages[0]
 
 
+def test_rejected_speeds_are_reported(robot: Robot, harness: RobotHarness) -> None:
+    harness.simulator.do("line mute on")
+    robot.set_speeds((200,) * 8)
+    harness.wait(lambda: bool(harness.messages))
+    assert harness.messages[0].startswith("Speeds not set: ")
+    harness.simulator.do("line mute off")
+
+
+def test_aborted_sequence_is_reported_with_its_cause(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    robot.play(Play(0, steps(HIGH, LOW), rounds=0))
+    harness.wait(lambda: robot.state.step is not None and robot.state.step.round >= 1)
+    harness.simulator.do("servo 3 dead")
+    harness.wait(lambda: robot.state.play is None)
+    assert len(harness.messages) == 1
+    assert harness.messages[0].startswith("Aborted: ")
+    assert "otor 3" in harness.messages[0]
+    harness.simulator.do("servo 3 alive")
+
+
+def test_time_scale_slows_running_sequence(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    robot.play(Play(0, steps(HIGH, LOW), rounds=3))
+    robot.set_time_scale(10.0)
+    harness.wait(lambda: robot.state.play is None)
+    first, *_, last = [report.time for report in harness.of(Moving)[1:]]
+    assert last - first > 4 * 10 * STEP_SECONDS
+
+
 def test_move_is_logged_once_and_drag_is_not(robot: Robot, harness: RobotHarness) -> None:
     harness.move(LOW)
     logged = [event.text for event in robot.events.all]
@@ -231,7 +261,7 @@ def test_remaining_motion_time_counts_down(robot: Robot, harness: RobotHarness) 
 
 
 def steps(*goals: tuple[int, ...]) -> tuple[Step, ...]:
-    return tuple(Step(goal, 0.2, f"step {index}") for index, goal in enumerate(goals))
+    return tuple(Step(goal, STEP_SECONDS, f"step {index}") for index, goal in enumerate(goals))
 
 
 def test_clamped_steps_of_a_sequence_are_reported(robot: Robot, harness: RobotHarness) -> None:

@@ -11,9 +11,10 @@ from tests.support.aracna import AracnaHarness
 from tests.support.matrix import sampled
 from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.discovery.scan import PortScan, scan_port
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
-from trex_gui.devices.aracna.discovery import ARACNA_PROBER, PROBE, FoundRobot
+from trex_gui.devices.aracna.discovery import ARACNA_PROBER, PROBE, FoundRobot, recall
 from trex_gui.devices.aracna.protocol.commands import EMPTY, QUERY
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery import TREX_PROBER, attempts
@@ -107,6 +108,16 @@ def test_early_build_with_two_motors_is_found() -> None:
     assert (found.name, found.motors) == ("Aracna 0", 2)
 
 
+def test_known_robot_is_recalled_even_on_fixed_rate_port() -> None:
+    harness = AracnaHarness()
+    harness.transport.is_configurable = False
+    found = recall(harness.transport, VIRTUAL, "")
+    assert found is not None
+    assert found.name == "Aracna 1"
+    harness.do("power off")
+    assert recall(harness.transport, VIRTUAL, "") is None
+
+
 # --- Messages if nothing is found -------------------------------------------------------------
 
 
@@ -175,6 +186,18 @@ def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:
     assert "set at the other end" in trex
     assert "No probe for an Aracna was sent" in aracna
     assert search_both(harness.transport, "aracna").device == "aracna"
+
+
+def test_port_without_rate_of_robot_is_reported_and_not_probed() -> None:
+    harness = AracnaHarness()
+
+    def reject(line: SerialFormat) -> None:
+        if line == LINE:
+            raise BadRequest("38400 baud is not supported")
+
+    harness.transport.reconfigure = reject  # type: ignore[method-assign]
+    assert "virtual cannot be set to 38400 baud" in diagnosis(harness)
+    assert PROBE not in harness.transport.sent
 
 
 # --- Motion ---------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ import pytest
 from tests.devices.aracna.session.scripted_session import ScriptedSession
 from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.protocol.joints import Limits
+from trex_gui.devices.aracna.session.errors import rejected_speeds
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Halt,
@@ -115,6 +116,11 @@ def test_rejected_step_speed_ends_playback() -> None:
     assert lines(session, "c") == ["512"]
 
 
+def test_servo_that_keeps_its_old_speed_is_named() -> None:
+    error = rejected_speeds((30, 30, 30), (30, 0, 30))
+    assert str(error) == "Motor 1 did not accept speed 30; it still has speed 0."
+
+
 # --- The newest request ---------------------------------------------------------------------
 
 
@@ -127,6 +133,13 @@ def test_newest_speed_applies_to_next_motion() -> None:
     assert session.of(Moved)[-1].seconds > 1.8, "86 units at speed 20 take 1.89 s"
     assert "A newer request" in errors(session)[3]
     assert errors(session)[4] == ""
+
+
+def test_speed_requested_during_speed_command_applies_to_its_motion() -> None:
+    session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.21, SetSpeeds(2, FAST))
+    session.until(3.0).run()
+    assert session.of(Moved)[0].seconds < 0.2, "88 units at speed 30 take 1.29 s"
+    assert set(errors(session).values()) == {""}
 
 
 def test_newer_move_replaces_queued_move() -> None:

@@ -35,6 +35,7 @@ ARACNA: list[tuple[Exchange, str, bool]] = [
         "go to 5, 6 → not a reply from an Aracna: %!; at 5, 6",
         True,
     ),
+    ((b"hello\n", b""), "not an Aracna command → no reply", True),
     ((b"\n", b""), "end an unfinished line in the robot's buffer", False),
     ((b"", b".h\r\n"), "unsolicited: the robot has started and is busy for a second", False),
     ((b"", b".h"), "unsolicited: incomplete line: .h", True),
@@ -87,6 +88,13 @@ def test_late_reply_is_shown_with_its_command() -> None:
         False,
     )
     assert second[0].startswith("query version")
+
+
+def test_bytes_after_reply_are_a_fault() -> None:
+    pieces = pieces_of([(b".q\n", b".q1,8\r\n.c")])
+    ((text, is_fault),) = reports(AracnaDecoder(), pieces)
+    assert is_fault
+    assert text.endswith("firmware 1, 8 motors; followed by .c")
 
 
 def test_command_without_its_own_reply_is_a_fault() -> None:

@@ -176,6 +176,18 @@ def test_positions_are_captured_and_named_once_they_are_known(driver: PosesPageD
     assert driver.library.project.poses[-1].positions == EIGHT
 
 
+def test_pose_is_set_to_position_of_robot(driver: PosesPageDriver) -> None:
+    driver.select_row("aracnaPoses", "stand")
+    assert not driver.button("aracnaSetPosition").isEnabled()
+    driver.show_present(*EIGHT)
+    driver.click("aracnaSetPosition")
+    pose = driver.library.project.pose("stand")
+    assert pose is not None
+    assert pose.positions == EIGHT
+    driver.library.undo.undo()
+    assert not driver.library.modified
+
+
 def test_keys_rename_and_delete_pose_and_undo_restores_it(driver: PosesPageDriver) -> None:
     driver.select_row("aracnaPoses", "flat")
     view = driver.names("aracnaPoses")
