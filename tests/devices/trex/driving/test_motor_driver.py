@@ -119,6 +119,18 @@ def test_no_setpoint_is_pending_after_stop(harness: MotorsHarness) -> None:
     assert harness.driver.seconds_to_drive() == math.inf
 
 
+def test_setpoint_interrupted_by_stop_is_not_sent_again(harness: MotorsHarness) -> None:
+    def stop_instead(_data: bytes) -> None:
+        harness.motors.handle_request(Stop(1), harness.now)
+        harness.arm()
+        raise NoReply("the guardian has used the line")
+
+    harness.transport.write = stop_instead  # type: ignore[method-assign]
+    with pytest.raises(NoReply):
+        harness.drive(20)
+    assert harness.driver.seconds_to_drive() == math.inf
+
+
 def test_confirmed_stop_is_reported_and_clears_may_move(harness: MotorsHarness) -> None:
     harness.drive(90)
     harness.stop()

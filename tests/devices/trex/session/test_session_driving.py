@@ -21,7 +21,7 @@ from tests.support.virtual import SessionHarness
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import Control
 from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL
-from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
+from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
@@ -200,6 +200,17 @@ def test_stop_on_rs232_side_survives_corrupted_echo(board: Board) -> None:
     run_for(harness, 2.0)
     assert outcomes(harness.reports)[1].error is None
     assert is_stopped(board)
+
+
+def test_stop_drops_setpoint_whose_echo_is_missing(board: Board) -> None:
+    harness = SessionHarness(board, echo=True)
+    harness.transport.latency = 0.5  # of a network, so the stop arrives during the wait
+    harness.script.at(2.5, Arm()).at(2.5, harness.fault(mute=True))
+    harness.script.at(2.5, SetMotor(1, Drive.at(70))).at(2.6, Stop(1))
+    harness.script.at(3.2, harness.fault(mute=False))
+    run_for(harness, 6.0)
+    sent = motor_commands_in(harness.transport.sent)
+    assert DriveMotor(1, Drive.at(70)) not in sent[sent.index(STOP[0]) :]
 
 
 # --- Motors that may be moving ----------------------------------------------------------

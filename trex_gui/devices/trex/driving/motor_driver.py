@@ -234,8 +234,8 @@ class MotorDriver:
         """Send due setpoints, retries or refreshes. Return True if anything was due.
 
         Raises:
-            NoReply, BadReply: the echo of a setpoint is missing or corrupted. The setpoint is
-                queued again.
+            NoReply, BadReply: a setpoint was not sent, or its echo is missing or corrupted. Unless
+                a stop was requested meanwhile, the setpoint is queued again.
         """
         if self.seconds_to_drive() > 0:
             return False
@@ -247,7 +247,7 @@ class MotorDriver:
             for command in packets(setpoints):
                 self.client.request(command)
         except (NoReply, BadReply):
-            self.output.setpoints.put_back(setpoints)
+            self.output.put_back_setpoints()
             raise
         return True
 

@@ -127,6 +127,7 @@ class MotorOutput:
         self.motion = Motion.DRIVEN if may_move else Motion.STOPPED
         self.stops: list[Stop] = []  # requested stops that have not been sent yet
         self.setpoints = SetpointSlots()
+        self._popped: list[Setpoint] = []  # last popped setpoints, unless dropped since
         self.quality = LineQuality()
         self.restart = RestartWatch(self.quality)
         self.refresh = SetpointRefresh(self.quality, lambda: self.restart.is_checking)
@@ -158,6 +159,7 @@ class MotorOutput:
                     self._heartbeat_at = now
                 case Action.DROP_SETPOINTS:
                     self.setpoints.clear()
+                    self._popped = []
                     self.retry.clear()
                     self.refresh.clear()
                     self.restart.clear()
@@ -233,7 +235,12 @@ class MotorOutput:
             self.handle(OutputEvent.SETPOINT_SENT, now)
             self.refresh.record_setpoints(setpoints, now)
             self.restart.record_setpoints(setpoints, now)
+        self._popped = setpoints
         return setpoints
+
+    def put_back_setpoints(self) -> None:
+        """Queue the popped setpoints again, unless a stop has dropped them since."""
+        self.setpoints.put_back(self._popped)
 
     def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
         self.quality.record_status(latched)
