@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from enum import Enum, auto
 
-from trex_gui.core.errors import BadRequest, StudioError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
@@ -21,10 +21,8 @@ from trex_gui.devices.trex.driving.requests import (
     MotorRequest,
     MotorsStopped,
     Setpoint,
-    SetpointRequest,
     Stop,
-    packets,
-    setpoints_in,
+    is_valid,
 )
 from trex_gui.devices.trex.driving.restart import RestartWatch
 from trex_gui.devices.trex.driving.setpoints import (
@@ -34,7 +32,6 @@ from trex_gui.devices.trex.driving.setpoints import (
     SetpointSlots,
 )
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexNoReplyError
-from trex_gui.devices.trex.protocol.framing import Framing
 
 log = logging.getLogger(__name__)
 
@@ -180,9 +177,11 @@ class MotorOutput:
                 self.handle(OutputEvent.ARM, now)
             case Heartbeat(sent=sent):
                 self._record_heartbeat(now if sent is None else sent)
+            case _ if not is_valid(request):
+                log.warning("an invalid setpoint was dropped: %s", request)
             case _:
                 self._record_heartbeat(now)
-                if self.arming in {Arming.INITIAL, Arming.ARMED} and _is_valid(request):
+                if self.arming in {Arming.INITIAL, Arming.ARMED}:
                     self.setpoints.put(request)
 
     def _record_heartbeat(self, time: float) -> None:
@@ -307,13 +306,3 @@ class MotorOutput:
     def _end_noisy_stops(self, error: StudioError | None) -> None:
         stops, self._noisy_stops = self._noisy_stops, []
         self.report_stops(stops, error)
-
-
-def _is_valid(request: SetpointRequest) -> bool:
-    try:
-        for command in packets(setpoints_in(request)):
-            Framing().encode(command)
-    except BadRequest as error:
-        log.warning("an invalid setpoint was dropped: %s", error)
-        return False
-    return True

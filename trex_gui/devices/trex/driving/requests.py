@@ -4,9 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
+from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, DriveBoth, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
+from trex_gui.devices.trex.protocol.framing import Framing
 
 HEARTBEAT_INTERVAL = 0.1  # seconds between heartbeats while motors are armed
 
@@ -88,6 +90,17 @@ MotorReport = MotorsStopped | StopSent | CommandsRepeated
 
 def setpoints_in(request: SetpointRequest) -> Sequence[Setpoint]:
     return request.drives if isinstance(request, SetMotors) else (request,)
+
+
+def is_valid(request: SetpointRequest) -> bool:
+    """True if packets can encode the setpoints, which must be for different motors."""
+    setpoints = setpoints_in(request)
+    try:
+        for command in packets(setpoints):
+            Framing().encode(command)
+    except BadRequest:
+        return False
+    return len({setpoint.motor for setpoint in setpoints}) == len(setpoints)
 
 
 def is_idle(setpoint: Setpoint) -> bool:
