@@ -120,7 +120,8 @@ def test_no_setpoint_is_pending_after_stop(harness: MotorsHarness) -> None:
 
 
 def test_setpoint_interrupted_by_stop_is_not_sent_again(harness: MotorsHarness) -> None:
-    def stop_instead(_data: bytes) -> None:
+    def stop_instead(data: bytes) -> None:
+        del data
         harness.motors.handle_request(Stop(1), harness.now)
         harness.arm()
         raise NoReply("the guardian has used the line")

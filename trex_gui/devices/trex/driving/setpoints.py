@@ -128,8 +128,8 @@ the stop bit). Damage to either of two bits turns the last brake of a motor into
 being detected. The probability is 2p/9. Each reply needs an undamaged request byte, so the
 probability of a damaged brake on a quiet line is below 2p/9 * (1 - p)**300. Its maximum is 2.7e-4
 (p = 1/300). For p = 1 %, 2 % and 5 %, it is 1.1e-4, 1.0e-5 and 2e-9. The auxiliary speed has seven
-such bits, so its probability is 3.5 times as high. CRC-7 detects every single-bit error. At 19200
-baud and above, 300 replies take 1.6 s.
+such bits, so its probability is 3.5 times as high. CRC-7 detects every single-bit error. At 9600
+baud and above, 300 replies take 2 s while risky polls are omitted.
 """
 
 
