@@ -457,6 +457,17 @@ def test_plan_has_the_doubts_and_findings_of_each_board(new_line: NewLine) -> No
     ]
 
 
+def test_review_continues_after_the_selected_board_if_it_is_silent(new_line: NewLine) -> None:
+    harness = new_line("3", "7")
+    harness.connect_known(3, 7)
+    harness.simulator.do("@3 power off")
+    harness.wait(lambda: harness.device.link is ConnectionState.NOT_RESPONDING)
+    apply = ApplyHarness(harness)
+    apply.review_and_wait(settings_of(serial_timeout=5), 3, 7)
+    assert apply.steps == {3: BoardStep.FAILED, 7: BoardStep.REVIEWED}
+    assert "does not respond" in apply.plans[0].problem
+
+
 def test_first_error_while_writing_ends_the_apply(new_line: NewLine) -> None:
     harness = new_line("3", "7", "9")
     harness.connect_known(9, 3, 7)

@@ -130,12 +130,15 @@ class ApplyToBoards(QObject):
 
     def _select(self, number: int) -> None:
         boards = self._boards
-        if number == boards.selected and boards.is_addressed and self._device.is_connected:
+        is_selected = number == boards.selected and boards.is_addressed
+        if is_selected and self._device.is_connected:
             self._on_selected(number, None)
-        elif boards.can_select:
-            boards.select(number, lambda error: self._on_selected(number, error))
-        else:
+        elif not boards.can_select:
             self._on_selected(number, TrexError(ErrorCode.CLOSED))
+        elif is_selected:
+            self._on_selected(number, TrexError(ErrorCode.NOT_SELECTED_SILENT, number))
+        else:
+            boards.select(number, lambda error: self._on_selected(number, error))
 
     def _on_selected(self, number: int, error: StudioError | None) -> None:
         if not self.is_running:

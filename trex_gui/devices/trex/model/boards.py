@@ -219,7 +219,8 @@ class BoardList(QObject):
         """Stop the current board, then select another board.
 
         The current board stays selected if its stop is not confirmed, or if the other board does
-        not respond.
+        not respond. `then` is not called if `number` is selected already, or if `can_select` is
+        false.
         """
         if self.can_select and (number != self.selected or not self.is_addressed):
             self.cancel_scan()
