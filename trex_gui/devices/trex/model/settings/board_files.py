@@ -164,7 +164,7 @@ class RecordFiles(QObject):
         self._notes, self._parameters = draft.notes, draft.parameters
         self._records = BoardRecords()
         self._accepted = AcceptedValues()
-        self._kind: Signature | None = None  # kind of board whose accepted values are set
+        self._kind: Signature | None = None  # kind of board; `None` for a simulated board
         self.memory = BoardMemory(self)
         self.files = BoardFiles(self._records, self)
         # Called by `memory`
@@ -178,16 +178,20 @@ class RecordFiles(QObject):
     def set_kind(self, kind: Signature, *, opened: bool, is_simulated: bool) -> None:
         """Set the kind of board, and read its accepted values. A simulated board has none."""
         if opened or kind != self._kind:
-            self._kind = kind
+            self._kind = None if is_simulated else kind
             self._parameters.set_accepted({})
             if not is_simulated:
-                self._set_accepted(partial(self._accepted.of, kind))
+                self._set_accepted(kind, partial(self._accepted.of, kind))
 
     def add_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
-        self._set_accepted(partial(self._accepted.add, kind, values))
+        self._set_accepted(kind, partial(self._accepted.add, kind, values))
 
-    def _set_accepted(self, work: Callable[[], Accepted]) -> None:
-        in_background(self, work, self._parameters.set_accepted, self._on_failed)
+    def _set_accepted(self, kind: Signature, work: Callable[[], Accepted]) -> None:
+        def set_values(accepted: Accepted) -> None:
+            if kind == self._kind:  # otherwise, another board was connected meanwhile
+                self._parameters.set_accepted(accepted)
+
+        in_background(self, work, set_values, self._on_failed)
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
         find = partial(self._records.of_other_number, board, adapter)
