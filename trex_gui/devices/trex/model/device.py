@@ -215,7 +215,7 @@ class Device(QObject):
         self.connection.open(settings, may_move=may_move)
 
     def set_visible(self, visible: bool) -> None:
-        """Record whether a window is visible. Without a visible window, poll slowly."""
+        """Record whether a window is visible. Without a watcher, the board is polled slowly."""
         self.connection.watch("window", visible)
         self.telemetry.set_visible(visible)
 

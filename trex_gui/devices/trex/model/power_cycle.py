@@ -31,7 +31,7 @@ _WAITING = _STILL_ON | {PowerCycleStage.AWAITING_ON}
 
 
 class PowerCycle(QObject):
-    changed = Signal()  # an attribute or `still_waiting`
+    changed = Signal()  # `stage`, `takes_long` or `expected`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)

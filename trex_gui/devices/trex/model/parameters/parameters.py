@@ -81,7 +81,7 @@ class ParameterModel(QAbstractTableModel):
     frequency. The edit role of this cell is a `frequency_code`.
     """
 
-    pending_changed = Signal()  # an edit or a stored value has changed
+    pending_changed = Signal()  # an edit, a written value or an accepted value has changed
     rejected = Signal(str)  # reason for the user
     rounded = Signal(str)  # the rounded value as text for the user
 
