@@ -63,6 +63,7 @@ def test_quantity_accepts_any_prefix_of_its_unit(
 
 def test_thousands_are_excluded_only_for_the_same_prefix() -> None:
     assert quantity("2.498 V", "V", thousands=False) == 2.498
+    assert quantity("2.498", "µs", thousands=False) == 2.498
     with pytest.raises(AmbiguousNumber):
         quantity("2,498 mV", "V", thousands=False)
 

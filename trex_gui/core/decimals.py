@@ -9,7 +9,7 @@ from trex_gui.core.translation import tr, with_decimal_point
 DECIMAL = r"[-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)"  # numbers that `decimal` accepts
 
 _QUANTITY = re.compile(rf"\s*({DECIMAL})\s*(.*?)\s*")
-_PREFIXES = {"µ": 1e-6, "μ": 1e-6, "u": 1e-6, "m": 1e-3, "k": 1e3, "": 1.0}
+_PREFIXES = {"μ": 1e-6, "u": 1e-6, "m": 1e-3, "k": 1e3, "": 1.0}  # `casefold` converts µ to μ
 _GROUPED = re.compile(r"([-+]?[1-9][0-9]{0,2})[.,]([0-9]{3})")
 
 
@@ -47,9 +47,10 @@ def quantity(text: str, unit: str, *, thousands: bool = True) -> float | None:
     """
     if (match := _QUANTITY.fullmatch(text)) is None:
         return None
+    unit = unit.casefold()
     own_prefix = unit[0] if len(unit) > 1 and unit[0] in _PREFIXES else ""
-    base = unit.removeprefix(own_prefix).casefold()
-    given = match[2].casefold() or unit.casefold()
+    base = unit.removeprefix(own_prefix)
+    given = match[2].casefold() or unit
     for prefix, factor in _PREFIXES.items() if base else [("", 1.0)]:
         if given == prefix + base:
             number = decimal(match[1], thousands=thousands or prefix != own_prefix)
