@@ -16,7 +16,7 @@ SCHEME = "trex"
 PORT = 7477
 LOCAL_USER = "local"  # user name of every client if the serving computer has no list of users
 _LONGEST_NAME = 40  # characters
-_SECRETS = "secrets"  # file in the data folder, with lines `USER@HOST SECRET`
+_SECRETS = "secrets"  # file in the data folder, with lines `USER@HOST[:PORT] SECRET`
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,15 +78,16 @@ class Address:
         """Secret of the user, from `TREX_SECRET` or the secrets file. Empty if unknown."""
         if secret := os.environ.get("TREX_SECRET"):
             return secret
-        name = f"{self.user}@{self.host}"
-        return next((secret for user, secret in _secrets() if user == name), "")
+        key = self.user, self.host
+        found = {each.port: secret for each, secret in _secrets() if (each.user, each.host) == key}
+        return found.get(self.port) or next(iter(found.values()), "")
 
 
 def known_hosts() -> tuple[Address, ...]:
-    return tuple(Address.of_host(host) for host, _ in _secrets())
+    return tuple(address for address, _ in _secrets())
 
 
-def _secrets() -> Iterator[tuple[str, str]]:
+def _secrets() -> Iterator[tuple[Address, str]]:
     path = data_folder() / _SECRETS
     if not path.exists():
         return
@@ -99,7 +100,7 @@ def _secrets() -> Iterator[tuple[str, str]]:
     lines = path.read_text("utf-8", errors="replace").splitlines()
     for words in (line.split(maxsplit=1) for line in lines):
         if len(words) == 2 and not words[0].startswith("#"):
-            yield words[0], words[1].strip()
+            yield Address.of_host(words[0]), words[1].strip()
 
 
 def is_served(url: str) -> bool:
