@@ -196,9 +196,13 @@ class CheckBoardFlow(Flow):
         self._device = device
         self._index = 0
         self._pages = LedsPage(), HandshakePage()
-        self._result = "", False
+        self._failure = ""  # message about the last attempt to connect
         device.link_changed.connect(self._on_link_changed)
         device.request_failed.connect(self._on_failed)
+
+    def show_in_front(self) -> None:
+        self._failure = ""
+        super().show_in_front()
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
         button = partial(ui.button, parent, default=False)
@@ -217,14 +221,14 @@ class CheckBoardFlow(Flow):
         self._connect.setVisible(not is_last)
         if self._index:
             hand_shake.show_step(_STEPS[self._index - 1])
-        note, is_alarming = self._result
+        status = "" if is_disconnected else self._device.status
         return FlowState(
             title_of(tr("&Board does not respond…")),
             [tr("LEDs"), *(tr(step.title) for step in _STEPS)],
             self._index,
             hand_shake if self._index else leds,
-            note=note,
-            is_alarming=is_alarming,
+            note=self._failure or status,
+            is_alarming=bool(self._failure),
             next=self._connect.text() if is_last else tr("&Next"),
             may_go_on=is_disconnected or not is_last,
             may_go_back=self._index > 0,
@@ -243,7 +247,7 @@ class CheckBoardFlow(Flow):
 
     def on_hidden(self, *, closed: bool) -> None:
         if closed:
-            self._index, self._result = 0, ("", False)
+            self._index = 0
 
     def _connect_now(self) -> None:
         self.connect_requested.emit(ConnectWith(ConnectionSettings("")))
@@ -251,10 +255,10 @@ class CheckBoardFlow(Flow):
     @Slot()
     def _on_link_changed(self) -> None:
         if self._device.link is not ConnectionState.DISCONNECTED:
-            self._result = self._device.status, False
+            self._failure = ""
             self.changed.emit()
 
     @Slot(str)
     def _on_failed(self, reason: str) -> None:
-        self._result = reason, True
+        self._failure = reason
         self.changed.emit()
