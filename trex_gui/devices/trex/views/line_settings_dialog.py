@@ -83,11 +83,13 @@ class LineSettingsDialog(ReusedDialog):
 
     @Slot()
     def _on_accepted(self) -> None:
+        number = self._number.value() if self._addressed.isChecked() else None
         settings = replace(
             self._settings,
             line=self._line.settings(),
             polynomial=self._polynomial.value(),
-            device_number=self._number.value() if self._addressed.isChecked() else None,
+            device_number=number,
+            group=self._settings.group if number == self._settings.device_number else (),
             reserved=numbers_in(self._reserved.text()),
         )
         try:
