@@ -185,7 +185,7 @@ class StopButton(RedButton):
         self._on_link_changed()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Ignore arrow keys. Qt would move the focus, and the next key could drive a motor."""
+        """Discard arrow keys. Qt would move the focus, and the next key could drive a motor."""
         if event.key() not in _ARROWS:
             super().keyPressEvent(event)
 

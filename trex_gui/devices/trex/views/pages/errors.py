@@ -14,6 +14,7 @@ from trex_gui.devices.trex.protocol.flags import UartError, stops_motors
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.diagnostics.problems import Problem, ProblemsPage, Reading
 from trex_gui.ui.help.messages import message_topic
+from trex_gui.ui.playback.transport import time_text
 from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets import builders as ui
 
@@ -62,6 +63,7 @@ class ErrorsPage(ProblemsPage):
         details = requests_text.format(counters.requests, counters.missing)
         readings = (
             Reading(
+                # A measurement takes at least 10 s.
                 tr("Answered, last {0:.0f} s").format(quality.seconds or 10),
                 f"{Number(100 * (1 - quality.lost)):.1f} %" if is_known else "–",
                 f"{quality_text(quality)}\n{details}",
@@ -69,7 +71,7 @@ class ErrorsPage(ProblemsPage):
             ),
             Reading(tr("Reads per second"), f"{quality.rate:.0f}" if quality.rate else "–"),
             Reading(tr("Slowest reply"), f"{1000 * counters.slowest:.0f} ms"),
-            Reading(tr("Connected for"), str(timedelta(seconds=int(now() - (opened or now()))))),
+            Reading(tr("Connected for"), time_text(now() - (opened or now()))),
             Reading(
                 tr("Restarts detected"), str(board.restarts), returns_text.format(board.returns)
             ),
