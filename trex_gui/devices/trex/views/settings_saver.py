@@ -52,14 +52,16 @@ class SettingsSaver(QObject):
         if settings is None:
             return
         filters = {f"{language.title} (*{language.suffix})": language for language in Language}
-        proposal = file_questions.last_folder() / file_name(settings, next(iter(filters.values())))
+        default = next(iter(Language))
+        proposal = file_questions.last_folder() / file_name(settings, default)
         selected, kind = QFileDialog.getSaveFileName(
             self._window, title_of(tr("&Export as code…")), str(proposal), ";;".join(filters)
         )
         if selected:
             path = Path(selected)
             languages = {language.suffix: language for language in Language}
-            self.export_file(path, languages.get(path.suffix.lower(), filters[kind]))
+            language = languages.get(path.suffix.lower(), filters.get(kind, default))
+            self.export_file(path, language)
 
     def export_file(self, path: Path, language: Language) -> None:
         """Export the source code of a program that applies the settings and drives the motors."""
