@@ -175,96 +175,115 @@ def test_boards_are_listed_selected_renumbered_and_written(
     assert not window.has("boardPanel")
 
 
-def test_control_held_for_one_board_drives_no_other(
+class TwoBoards(MotorsPage):
+    """Motors page of board 7. Board 9 is on the same line."""
+
+    def moves(self, board: str) -> bool:
+        return bool(self.simulator.show(board)["motors"][0]["direction"] == "forward")
+
+    def drive(self, board: str) -> None:
+        self.arm()
+        self.motors.set_speed(1, 30)
+        self.wait(lambda: self.moves(board))
+
+    def switch_to(self, row: int) -> None:
+        """Select a board with the keyboard while the mouse holds a control."""
+        shown = self.find(QListWidget, "boardList")
+        shown.setCurrentRow(row)
+        QTest.keyClick(shown, Qt.Key.Key_Return)
+        self.wait(lambda: rows(self)[row][1] == "selected")
+
+    def lose_line(self) -> None:
+        """Unplug the cable, and plug it in again."""
+        self.simulator.do("line unplug")
+        self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
+        assert self.device.may_move
+        self.simulator.do("line plug")
+
+    def hold_key(self) -> None:
+        self.pad.setFocus()
+        self.press_key(Qt.Key.Key_Up)
+
+    def repeat_key(self) -> None:
+        no_modifier = Qt.KeyboardModifier.NoModifier
+        event = QKeyEvent(QKeyEvent.Type.KeyPress, Qt.Key.Key_Up, no_modifier, "", True)
+        QApplication.sendEvent(self.pad, event)
+
+
+@pytest.fixture
+def two_boards(
     window: WindowDriver, start_simulator: StartSimulator, monkeypatch: pytest.MonkeyPatch
-) -> None:
+) -> TwoBoards:
     monkeypatch.setattr("trex_gui.devices.trex.model.boards.NUMBERS", 16)
     boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
     connect(window, boards.url, 7)
     find_boards(window)
-    page = MotorsPage(window, boards)
-    page.motors.accelerate = False
-    page.motors.lockout = 0
+    two_boards = TwoBoards(window, boards)
+    two_boards.motors.accelerate = False
+    two_boards.motors.lockout = 0
+    return two_boards
 
-    def moves(board: str) -> bool:
-        return bool(boards.show(board)["motors"][0]["direction"] == "forward")
 
-    def drive(board: str) -> None:
-        page.arm()
-        page.motors.set_speed(1, 30)
-        page.wait(lambda: moves(board))
-
-    def switch_to(row: int) -> None:
-        """Select a board with the keyboard while the mouse holds a control."""
-        shown = window.find(QListWidget, "boardList")
-        shown.setCurrentRow(row)
-        QTest.keyClick(shown, Qt.Key.Key_Return)
-        window.wait(lambda: rows(window)[row][1] == "selected")
-
-    def hold_key() -> None:
-        page.pad.setFocus()
-        page.press_key(Qt.Key.Key_Up)
-
-    def repeat_key() -> None:
-        no_modifier = Qt.KeyboardModifier.NoModifier
-        event = QKeyEvent(QKeyEvent.Type.KeyPress, Qt.Key.Key_Up, no_modifier, "", True)
-        QApplication.sendEvent(page.pad, event)
-
-    # A board that is armed while a control is still held does not follow the control.
+def test_control_held_for_one_board_drives_no_other(two_boards: TwoBoards) -> None:
+    """A board that is armed while a control is still held does not follow the control."""
     gestures: tuple[tuple[Gesture, Gesture, Gesture], ...] = (
-        (lambda: page.hold_pad(0.8, 0), lambda: page.move_pad(0.9, 0), page.release_pad),
         (
-            lambda: page.hold_slider("motor1Slider", 60),
-            lambda: page.move_slider("motor1Slider", 70),
-            lambda: page.release_slider("motor1Slider"),
+            lambda: two_boards.hold_pad(0.8, 0),
+            lambda: two_boards.move_pad(0.9, 0),
+            two_boards.release_pad,
         ),
-        (hold_key, repeat_key, lambda: page.release_key(Qt.Key.Key_Up)),
+        (
+            lambda: two_boards.hold_slider("motor1Slider", 60),
+            lambda: two_boards.move_slider("motor1Slider", 70),
+            lambda: two_boards.release_slider("motor1Slider"),
+        ),
+        (two_boards.hold_key, two_boards.repeat_key, lambda: two_boards.release_key(Qt.Key.Key_Up)),
     )
     for hold, change, release in gestures:
-        page.arm()
+        two_boards.arm()
         hold()
-        page.wait(lambda: moves("@7"))
-        switch_to(1)
-        assert is_stopped(boards, "@7")
-        page.wait(lambda: page.motors.can_arm)
-        page.motors.arm()
+        two_boards.wait(lambda: two_boards.moves("@7"))
+        two_boards.switch_to(1)
+        assert is_stopped(two_boards.simulator, "@7")
+        two_boards.wait(lambda: two_boards.motors.can_arm)
+        two_boards.motors.arm()
         change()
-        page.let_nothing_happen(0.5)
-        assert not moves("@9")
-        assert is_stopped(boards, "@7")
+        two_boards.let_nothing_happen(0.5)
+        assert not two_boards.moves("@9")
+        assert is_stopped(two_boards.simulator, "@7")
         release()
-        window.press_escape()
-        switch_to(0)
+        two_boards.press_escape()
+        two_boards.switch_to(0)
 
-    # Esc during the switch stops both boards.
-    drive("@7")
-    select(window, 1)
-    window.press_escape()
-    window.wait(lambda: rows(window)[1][1] == "selected")
-    page.let_nothing_happen(0.5)
-    assert is_stopped(boards, "@7")
-    assert not moves("@9")
 
-    # After a lost line, the last driven board is found and stopped.
-    drive("@9")
-    boards.do("line unplug")
-    page.wait(lambda: page.device.link is ConnectionState.DISCONNECTED)
-    assert page.device.may_move
-    boards.do("line plug")
-    window.click("bannerReconnect")
-    window.wait(lambda: not page.device.may_move)
-    assert is_stopped(boards, "@9")
-    assert not page.device.driving.lost_board
+def test_escape_during_the_selection_stops_both_boards(two_boards: TwoBoards) -> None:
+    two_boards.drive("@7")
+    select(two_boards, 1)
+    two_boards.press_escape()
+    two_boards.wait(lambda: rows(two_boards)[1][1] == "selected")
+    two_boards.let_nothing_happen(0.5)
+    assert is_stopped(two_boards.simulator, "@7")
+    assert not two_boards.moves("@9")
 
-    # While the other board is connected, the warning remains until the lost board is stopped.
-    drive("@9")
-    boards.do("line unplug")
-    page.wait(lambda: page.device.link is ConnectionState.DISCONNECTED)
-    boards.do("line plug")
-    connect(window, boards.url, 7)
-    assert not moves("@9")
-    assert "reached the TReX 1.2, device 9" in page.device.driving.lost_board
-    select(window, 1)
-    window.wait(lambda: rows(window)[1][1] == "selected" and not page.device.may_move)
-    assert is_stopped(boards, "@9")
-    assert not page.device.driving.lost_board
+
+def test_last_driven_board_is_stopped_after_a_lost_line(two_boards: TwoBoards) -> None:
+    two_boards.switch_to(1)
+    two_boards.drive("@9")
+    two_boards.lose_line()
+    two_boards.click("bannerReconnect")
+    two_boards.wait(lambda: not two_boards.device.may_move)
+    assert is_stopped(two_boards.simulator, "@9")
+    assert not two_boards.device.driving.lost_board
+
+
+def test_warning_remains_until_the_lost_board_is_stopped(two_boards: TwoBoards) -> None:
+    two_boards.switch_to(1)
+    two_boards.drive("@9")
+    two_boards.lose_line()
+    connect(two_boards, two_boards.simulator.url, 7)
+    assert not two_boards.moves("@9")
+    assert "reached the TReX 1.2, device 9" in two_boards.device.driving.lost_board
+    select(two_boards, 1)
+    two_boards.wait(lambda: rows(two_boards)[1][1] == "selected" and not two_boards.device.may_move)
+    assert is_stopped(two_boards.simulator, "@9")
+    assert not two_boards.device.driving.lost_board
