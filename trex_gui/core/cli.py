@@ -4,6 +4,7 @@ import contextlib
 import json
 import re
 import shlex
+import shutil
 import signal
 import sys
 import time
@@ -74,7 +75,7 @@ class ProgressLine:
         width = 20
         filled = width * done // max(total, 1)
         text = f"{self._title} [{'#' * filled}{'.' * (width - filled)}] {done}/{total} {step}"
-        text = text[:100]
+        text = text[: shutil.get_terminal_size().columns - 1]  # a wrapped line cannot be cleared
         click.echo("\r" + text.ljust(self._shown_width), file=self._stream, nl=False)
         self._shown_width = len(text)
 
