@@ -819,7 +819,7 @@ class Target:
         build: builds the files in `dist/` and returns their paths.
         check: installs, uses and removes the files, step by step.
         system: systems that can build the files, by the start of `sys.platform`.
-        checked_on: systems that can check the files, likewise.
+        checked_on: systems that can check the files, in the same form.
         is_default: returns whether to build the files if the user names no kind.
     """
 

@@ -53,6 +53,7 @@ def test_invalid_number_is_rejected(text: str) -> None:
     [
         *(("1.5 s", "s", 1.5), ("1500ms", "s", 1.5), ("1.5", "ms", 1.5), ("1.5 S", "ms", 1500)),
         *(("2 kHz", "Hz", 2000), ("5", "", 5), ("5 m", "", None), ("5 m", "s", None)),
+        *(("1500 us", "ms", 1.5), ("1500 µs", "ms", 1.5), ("2 kHz", "kHz", 2)),
     ],
 )
 def test_quantity_accepts_any_prefix_of_its_unit(
@@ -64,8 +65,9 @@ def test_quantity_accepts_any_prefix_of_its_unit(
 def test_thousands_are_excluded_only_for_the_same_prefix() -> None:
     assert quantity("2.498 V", "V", thousands=False) == 2.498
     assert quantity("2.498", "µs", thousands=False) == 2.498
-    with pytest.raises(AmbiguousNumber):
-        quantity("2,498 mV", "V", thousands=False)
+    for text, thousands in (("2,498 mV", False), ("2,498 V", True)):
+        with pytest.raises(AmbiguousNumber):
+            quantity(text, "V", thousands=thousands)
 
 
 @examples(80)

@@ -90,9 +90,14 @@ def test_default_profile_uses_left_stick_and_left_shoulder() -> None:
     assert profile.fits(PAD)
 
 
-@pytest.mark.parametrize("buttons", range(8))
-def test_default_profile_fits_unknown_gamepad(buttons: int) -> None:
+@pytest.mark.parametrize(
+    ("buttons", "hold", "stop"),
+    [(0, None, None), (1, 0, None), (2, 1, None), (3, 2, 1), (5, 4, 1), (8, 4, 1)],
+)
+def test_default_profile_fits_unknown_gamepad(
+    buttons: int, hold: int | None, stop: int | None
+) -> None:
     pad = Pad(ident=1, guid="0", name="Stick", axes=2, buttons=buttons)
     profile = default_profile(pad)
     assert profile.fits(pad)
-    assert profile.hold is None or profile.hold != profile.stop
+    assert (profile.hold, profile.stop) == (hold, stop)
