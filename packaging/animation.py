@@ -187,7 +187,7 @@ def main() -> int:
             return 1
         save(film.frames, FILE)
     seconds, size = len(film.frames) / RATE, FILE.stat().st_size
-    print(f"{FILE}: {seconds:.1f} s, {size / 1e6:.2f} MB")
+    print(f"{FILE}: {seconds:.1f} s, {size / 1e6:.2f} of at most {MAX_SIZE / 1e6:.2f} MB")
     return 0 if size <= MAX_SIZE else 1
 
 
