@@ -68,6 +68,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.simulator.ended.connect(self._reset_demo_settings)
         self.demo_board.factory_reset.connect(self._reset_demo_settings)
         device.stop_pressed_offline.connect(self._on_stop_pressed_offline)
+        device.connection.started.connect(self._set_adapter)
         device.connection.failed.connect(self._on_failed)
         device.link_changed.connect(self._record_settings)
         device.quality_changed.connect(self.changed)
@@ -96,8 +97,13 @@ class TrexController(DeviceController[ConnectionSettings]):
     def connect_to(self, port: Port) -> None:
         if not self.may_move:
             self._last_port = port
-        self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
+
+    @Slot()
+    def _set_adapter(self) -> None:
+        # Not set earlier, because the previous line may be lost before this line is opened.
+        if self.port is not None:
+            self.device.motors.adapter = "" if self.port.adapter is None else self.port.adapter.key
 
     def select(self, port: Port) -> None:
         if self._selected is not None and not self._selected.is_same(port) and not self.may_move:

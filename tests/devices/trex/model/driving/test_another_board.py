@@ -9,9 +9,11 @@ from tests.support.pages.motors import is_stopped
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.core.events import EventKind
+from trex_gui.core.transport.adapters import Adapter
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
+from trex_gui.ui.devices.ports import Port, PortKind
 
 Start = Callable[..., VirtualSimulator]
 
@@ -134,6 +136,18 @@ def test_board_with_equal_settings_counts_as_the_same_board(
 ) -> None:
     driven.replace_board(start())
     assert driven.closing_text() == ""
+
+
+def test_equal_board_at_another_adapter_may_not_be_the_driven_board(
+    driven: DrivenBoard, start: Start
+) -> None:
+    driven.board.do("line mute on")
+    driven.wait_for(ConnectionState.NOT_RESPONDING)
+    url = start().url
+    driven.controller.connect_to(Port(PortKind.SERIAL, url, url, "trex", Adapter("0403:6001", "A")))
+    driven.wait(driven.is_ready)
+    driven.wait(lambda: not driven.device.may_move)
+    assert driven.errors[-1].startswith(f"The connection to {driven.board.url} was lost before a")
 
 
 def test_moved_jumper_does_not_mean_another_board(driven: DrivenBoard) -> None:
