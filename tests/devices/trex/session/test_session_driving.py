@@ -21,7 +21,7 @@ from tests.support.virtual import SessionHarness
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import Control
 from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL
-from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import (
@@ -35,7 +35,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.line_settings import Detection
-from trex_gui.devices.trex.session.messages import Connected, Reload, Write
+from trex_gui.devices.trex.session.messages import Connected, Reload, Request, Write
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
@@ -200,6 +200,21 @@ def test_stop_on_rs232_side_survives_corrupted_echo(board: Board) -> None:
     run_for(harness, 2.0)
     assert outcomes(harness.reports)[1].error is None
     assert is_stopped(board)
+
+
+@pytest.mark.parametrize(
+    "request_", [SetMotor(1, Drive.at(70)), packet(2, DriveMotor(1, Drive.at(70)))]
+)
+def test_stop_drops_motor_command_that_waits_for_a_late_reply(
+    harness: SessionHarness, request_: Request
+) -> None:
+    harness.transport.latency = 0.5  # of a network, so the stop arrives during the wait
+    harness.script.at(2.4, Arm()).at(2.5, harness.fault(mute=True))
+    harness.script.at(2.9, Heartbeat()).at(2.9, request_)
+    harness.script.at(3.1, Stop(1)).at(3.3, harness.fault(mute=False))
+    run_for(harness, 4.0)
+    assert DriveMotor(1, Drive.at(70)) not in motor_commands_in(harness.transport.sent)
+    assert outcomes(harness.reports)[1].error is None
 
 
 def test_stop_drops_setpoint_whose_echo_is_missing(board: Board) -> None:

@@ -193,10 +193,16 @@ class TrexClient:
                 return state
 
     def _start_transaction(self) -> None:
-        self.drain()
-        late = self._drain_late_reply() + self.transport.discard()
+        self.discard_late_reply()
+        self.counters.unsolicited += len(self.transport.discard())
         self.counters.requests += 1
-        self.counters.unsolicited += len(late)
+
+    def discard_late_reply(self) -> bool:
+        """Wait for a late reply, if one is possible, and discard it. Return True after a wait."""
+        self.drain()
+        is_unanswered = self._wire.is_unanswered
+        self.counters.unsolicited += len(self._drain_late_reply())
+        return is_unanswered
 
     def send(self, command: Command[None]) -> None:
         packet = self.settings.framing.encode(command)

@@ -239,6 +239,8 @@ class MotorDriver:
         """
         if self.seconds_to_drive() > 0:
             return False
+        if self.output.has_due_setpoints(self._now()) and self.client.discard_late_reply():
+            return True  # a stop that was requested during the wait comes first
         setpoints = self.output.pop_setpoints(self._now())
         if not setpoints:
             self._refresh()

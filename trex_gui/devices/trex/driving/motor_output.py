@@ -223,6 +223,9 @@ class MotorOutput:
             self.is_repeating = True
             self.report(CommandsRepeated())
 
+    def has_due_setpoints(self, now: float) -> bool:
+        return bool(self.setpoints) or self.retry.due <= now
+
     def pop_setpoints(self, now: float) -> list[Setpoint]:
         """Return queued setpoints, or else due retries, and record them as sent."""
         self._sent_at = now

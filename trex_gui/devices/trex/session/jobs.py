@@ -128,6 +128,7 @@ class JobServer:
         if not packet.is_query and not packet.moves:
             line.require_alone()  # the packet may change the device number
         if packet.moves:
+            line.client.discard_late_reply()  # a stop may be requested during the wait
             number = line.client.settings.device_number
             if not line.motors.is_armed:
                 raise TrexRequestError(ErrorCode.NOT_ARMED)
