@@ -1,7 +1,7 @@
 """Page of reported errors and connection quality."""
 
 from collections.abc import Sequence
-from datetime import datetime, timedelta
+from datetime import datetime
 
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
@@ -44,10 +44,8 @@ class ErrorsPage(ProblemsPage):
         self._reset.setEnabled(bool(self._device.board.errors.occurred))
 
     def since(self) -> datetime | None:
-        opened = self._device.board.connected_at
-        if not self._device.is_connected or opened is None:
-            return None
-        return datetime.now() - timedelta(seconds=now() - opened)  # noqa: DTZ005 - local
+        opened = self._device.board.connected_utc if self._device.is_connected else None
+        return None if opened is None else opened.astimezone()
 
     def readings(self) -> Sequence[Reading]:
         board, opened = self._device.board, self._device.board.connected_at
