@@ -4,13 +4,14 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QColor, QTextCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox, QTabBar
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
+from tests.support.catalogs import in_language
 from tests.support.colours import contrast
 from tests.support.keyboard import check_keyboard
 from tests.support.pages.settings import SettingsEditorWindow, answer_questions
@@ -18,6 +19,7 @@ from tests.support.window import WidgetDriver
 from trex_gui.core.files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
@@ -37,6 +39,7 @@ from trex_gui.devices.trex.views.settings_editor.text_page import NumberedText
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 from trex_gui.devices.trex.views.settings_files import SAMPLES
 from trex_gui.ui.theme.theme import SCHEMES, theme
+from trex_gui.ui.translations import LANGUAGES
 
 TEXT = (
     "product: TReX\r\n"
@@ -363,6 +366,17 @@ def test_pdf_names_every_row(device: Device) -> None:
 
     changed = settings_in("product: TReX\nserial_timeout: 5\n")
     assert "<b>0.5 s</b>" in settings_html(changed, "rover.txt")
+
+
+def test_pdf_has_the_headings_of_the_page_in_each_language(qapp: QApplication) -> None:
+    for language in LANGUAGES:
+        with in_language(qapp, QLocale(language)):
+            html = settings_html(settings_in(TEXT), "rover.txt")
+            rows = ParameterModel()
+            rows.load(settings_in(TEXT).specs, {}, {}, power_cycled=True)
+            headings = [f"<i>{row.name}</i>" for row in rows.rows if not row.keys]
+        assert headings
+        assert [heading for heading in headings if heading not in html] == [], language
 
 
 def test_pdf_is_black_on_white_in_a_dark_scheme(device: Device) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QPageSize, QPdfWriter, QTextDocument
 
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_FIELDS
 from trex_gui.devices.trex.settings.document import Settings
 
@@ -65,10 +66,10 @@ def _parameters(settings: Settings) -> str:
         tr("Wire"): 6,
         title_of(tr("Defa&ult")): 16,
     }
-    rows = []
-    specs = sorted(settings.specs.readable, key=lambda spec: spec.group)
-    for group, members in groupby(specs, key=lambda spec: spec.group):
-        title = escape(group.capitalize())
+    rows, tasks = [], ParameterModel().titles
+    specs = sorted(settings.specs.readable, key=lambda spec: list(tasks).index(spec.task))
+    for task, members in groupby(specs, key=lambda spec: spec.task):
+        title = escape(tasks[task])
         rows.append(f'<tr><td colspan="{len(titles)}"><br><i>{title}</i></td></tr>')
         for spec in members:
             wire = settings.parameters.get(spec.key)
