@@ -1,6 +1,5 @@
 """Recordings of a robot, also opened without a robot."""
 
-import sys
 from pathlib import Path
 
 import pytest
@@ -11,8 +10,6 @@ from tests.support.pages.robot import RobotWindow
 from tests.support.program import aracna
 from tests.support.window import WidgetDriver
 from trex_gui.devices.aracna.views.playback import JointValues, RobotPlaybackWindow
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 def opened(window: RobotWindow) -> list[RobotPlaybackWindow]:

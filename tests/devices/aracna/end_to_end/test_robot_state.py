@@ -81,6 +81,10 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     assert "limits" in window.button("aracnaMoveButton").toolTip()
     window.wait_for_text("aracnaTitle", "has reached its goal")
 
+
+def test_connecting_to_stuck_robot_fails_with_advice(connected_window: RobotWindow) -> None:
+    window = connected_window
+    window.move()
     window.block_and_lose_motor(3)
     window.press_disconnect()
     window.connect_port(window.program.ports.demo_of("aracna"))

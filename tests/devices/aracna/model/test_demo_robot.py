@@ -1,6 +1,5 @@
 """Demo Aracna: control lines and state."""
 
-import sys
 from dataclasses import replace
 
 import pytest
@@ -134,7 +133,6 @@ def test_servo_state_is_described_as_text(servo: DemoServo, powered: bool, words
 # --- Control lines ----------------------------------------------------------------------
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 def test_each_loss_sends_its_control_line(qtbot: QtBot) -> None:
     simulator = RecordingSimulator(ARACNA)
     with qtbot.waitSignal(simulator.ready, timeout=15_000):

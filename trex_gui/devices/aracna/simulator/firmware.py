@@ -28,6 +28,7 @@ _ARRAY = 4  # bytes of the array that receives the characters of a field
 _UNUSED = 10  # initial value of each byte of the array
 _OVERFLOW = 11  # minimum length of a field that overwrites the stack
 _SEPARATORS = b",\n"
+_COMMANDS = {b"q", b"v", b"c", b"l"}
 
 
 class State(Enum):
@@ -119,7 +120,7 @@ class Firmware:
     def _execute(self, line: bytes) -> Program:
         """Execute a line. The second character is the name of the command."""
         self.state = State.ANSWERING
-        self.counters["commands"] += 1
+        self.counters["commands" if line[1:2] in _COMMANDS else "ignored"] += 1
         yield Pause(PARSING)
         match line[1:2]:
             case b"q":
@@ -132,9 +133,6 @@ class Firmware:
             case b"l":
                 self.led = {b"0": False, b"1": True}.get(line[2:3], self.led)
                 yield from self._print(f".l{self.led:d}\n")
-            case _:
-                self.counters["commands"] -= 1
-                self.counters["ignored"] += 1
 
     def _set_speeds(self, speeds: Sequence[int]) -> Program:
         self.state = State.SPEEDS
