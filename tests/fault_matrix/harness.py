@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QLabel, QWidget
 from tests.support.program import trex
 from tests.support.simulator import PortFault, SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.core.session import Progress
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.document import Settings, settings_of
 from trex_gui.ui.devices.connection import ConnectionState
@@ -194,15 +193,14 @@ class FaultHarness:
 
     def at_step(self, number: int, action: Callable[[], object]) -> Callable[[], bool]:
         """Run an action at a step of the session. Return a function that returns whether it ran."""
-        done: list[Progress] = []
-        progressed = self.window.device.connection.progressed
+        done: list[int] = []
 
-        def on_progressed(step: int, total: int, text: str) -> None:
+        def on_progressed(step: int, _total: int, _text: str) -> None:
             if step >= number and not done:
-                done.append(Progress(step, total, text))
+                done.append(step)
                 action()
 
-        progressed.connect(on_progressed)
+        self.window.device.connection.progressed.connect(on_progressed)
         return lambda: bool(done)
 
     def wait_seconds(self, seconds: float) -> None:

@@ -11,7 +11,6 @@ import math
 import sys
 from collections import deque
 from collections.abc import Callable
-from types import TracebackType
 from typing import Any, Protocol, TypeVar
 
 import greenlet
@@ -253,13 +252,7 @@ class VirtualCondition:
     def __enter__(self) -> bool:
         return True
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-        /,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         pass
 
     def wait(self, timeout: float | None = None) -> bool:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QModelIndex, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -101,19 +101,10 @@ class PosesPageDriver(WidgetDriver):
 
     def select_row(self, list_name: str, text: str) -> None:
         view = self.names(list_name)
-        index = self.index_of(view, text)
-        view.scrollTo(index)
-        point = view.visualRect(index).center()
-        QTest.mouseClick(view.viewport(), LEFT, pos=point)
-        assert view.currentIndex() == index
-
-    def index_of(self, view: QAbstractItemView, text: str) -> QModelIndex:
-        """Return the index of the row with a text."""
-        model = view.model()
-        for row in range(model.rowCount()):
-            if model.index(row, 0).data() == text:
-                return model.index(row, 0)
-        raise AssertionError(text)
+        (item,) = view.findItems(text, Qt.MatchFlag.MatchExactly)
+        view.scrollToItem(item)
+        QTest.mouseClick(view.viewport(), LEFT, pos=view.visualItemRect(item).center())
+        assert view.currentItem() == item
 
     def type_name(self, list_name: str, name: str) -> None:
         """Type into the open editor of a list."""
