@@ -151,9 +151,10 @@ def test_first_step_from_unknown_position_is_slow() -> None:
 # --- Sequences ------------------------------------------------------------------------------
 
 
-def test_requested_speeds_are_restored_after_sequence() -> None:
+@pytest.mark.parametrize("time", [1.15, 1.0 + 2 * SPEED_VALIDITY])
+def test_requested_speeds_are_restored_after_sequence(time: float) -> None:
     session = ScriptedSession().at(0.5, Move(1, HERE, SLOW)).at(1.0, Move(2, (400,) * 8, SLOW))
-    session.at(1.1, SetSpeeds(3, (20,) * 8)).at(1.15, Play(4, (Step((420,) * 8, 1.0),))).until(10.0)
+    session.at(1.1, SetSpeeds(3, (20,) * 8)).at(time, Play(4, (Step((420,) * 8, 1.0),))).until(10.0)
     session.run()
     assert session.stage.speeds == (20,) * 8
 

@@ -111,8 +111,8 @@ class SequencePlayer:
     def next_speeds(self, now: float) -> tuple[int, ...] | None:
         """Start the step that is due. Return its speeds if they must be set.
 
-        After the last step, return the speeds that the servos had before the sequence. Otherwise
-        the next move could take minutes, because the last step may have set very low speeds.
+        After the last step, return the speeds that the servos reported before the sequence. Without
+        them, the next move could take minutes, because the last step may have set very low speeds.
         """
         if self._play is None or self._goals is not None:
             return None
@@ -123,8 +123,7 @@ class SequencePlayer:
             self.stop(now, Ending.ENDED if self._is_ending else Ending.DONE)
             return None
         if not self._part:  # before the first step, all earlier requests have been sent
-            speeds = tuple(speed for speed in self.servos.speeds if speed is not None)
-            self._speeds_before = speeds if len(speeds) == len(self.servos.speeds) else None
+            self._speeds_before = self.servos.reported_speeds
             self._due = now
         self._part, index, number, step = scheduled
         seconds, late = step.seconds * self._time_scale, max(0.0, now - self._due)

@@ -40,6 +40,7 @@ class ServoEstimates:
     def reset(self, motors: int) -> None:
         self.present: tuple[int | None, ...] = (None,) * motors
         self.speeds: tuple[int | None, ...] = (None,) * motors
+        self.reported_speeds: tuple[int, ...] | None = None  # last complete report, never expires
         self._speeds_reported_at = 0.0
 
     def clamp(self, goals: Sequence[int]) -> tuple[int, ...]:
@@ -75,6 +76,8 @@ class ServoEstimates:
     def on_speeds(self, speeds: Sequence[int], now: float) -> None:
         self._speeds_reported_at = now
         self.speeds = tuple(None if value < 0 else value for value in speeds)
+        if None not in self.speeds:
+            self.reported_speeds = tuple(speeds)
 
     def seconds_to(self, goals: Sequence[int]) -> float:
         """Return the seconds that the slowest motor needs, without load.
