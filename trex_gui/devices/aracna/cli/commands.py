@@ -85,7 +85,7 @@ def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> N
 
     Give one value for all motors, or one value for each motor. A unit is 0.67 degrees per second,
     and 0 is unlimited. The command prints the speeds that the servos report. The servos keep these
-    speeds until they lose power.
+    speeds until a motion sets other speeds, or until they lose power.
     """
     with CommandSession(port_settings(port, extra_timeout)) as session:
         motors = session.robot.motors
