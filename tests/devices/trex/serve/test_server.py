@@ -190,6 +190,15 @@ def speeds_of(harness: ServerHarness, user: str) -> tuple[int, int, int]:
     return of_type(harness.received[user], SetpointsChanged)[-1].speeds
 
 
+def test_setpoints_end_with_the_line(harness: ServerHarness) -> None:
+    harness.send("alice", AskLease(), Arm(), SetMotor(1, Drive.at(-40)))
+    harness.server.end(NoReply("no board"), may_move=True)
+    harness.server.report(CONNECTED)
+    harness.join("watcher", Role.WATCH)
+    harness.server.report(Batch((), Counters()))
+    assert not of_type(harness.received["watcher"], SetpointsChanged)
+
+
 @pytest.mark.parametrize(
     "end",
     [
@@ -200,7 +209,7 @@ def speeds_of(harness: ServerHarness, user: str) -> tuple[int, int, int]:
     ],
     ids=["stop by watcher", "returned lease", "stop by server", "stop by session"],
 )
-def test_watchers_receive_setpoints_of_the_driver(
+def test_watchers_receive_setpoints_until_the_motors_stop(
     harness: ServerHarness, end: Callable[[ServerHarness], object]
 ) -> None:
     harness.send("alice", AskLease(), Arm(), SetMotor(1, Drive.at(-40)), SetAuxiliary(90))
@@ -218,12 +227,16 @@ def test_polling_is_fast_while_any_client_watches(harness: ServerHarness) -> Non
     assert harness.session[-1] == SetWatched(False)
     harness.send("bob", SetWatched(True))
     assert harness.session[-1] == SetWatched(True)
+
+
+def test_samples_and_traffic_are_sent_only_on_request(harness: ServerHarness) -> None:
+    harness.send("alice", SetWatched(False))
     before = len(harness.received["alice"])
     harness.server.report(Batch((), Counters()))
     assert type(harness.received["bob"][-1]) is Batch
-    assert len(harness.received["alice"]) == before, "samples are sent only to watching clients"
+    assert len(harness.received["alice"]) == before
     harness.server.report(Traffic(()))
-    assert not of_type(harness.received["bob"], Traffic), "traffic is sent only on request"
+    assert not of_type(harness.received["bob"], Traffic)
     harness.send("bob", SetWatched(True, traffic=True))
     harness.server.report(Traffic(()))
     assert of_type(harness.received["bob"], Traffic)
@@ -559,7 +572,6 @@ class LossyNetwork:
         self.server = BoardServer("arm", self.on_session, self.on_sent, lambda: self.now)
         self.drivers = {user: SimulatedClient(self, user) for user in ("alice", "bob")}
         self.armed = ""  # user who armed the motors
-        self.handovers = 0
         self.moves = 0
 
     def schedule(self, seconds: float, action: Callable[[], None]) -> None:
@@ -588,15 +600,14 @@ class LossyNetwork:
                 assert drive.speed == self.drivers[holder.user].speed, "setpoint of other client"
                 self.moves += bool(self.armed)
 
-    def run_until(self, handovers: int) -> None:
-        numbers = {self.server.lease.number}
-        while self.server.lease.number < handovers:
+    def run(self, drivers: int) -> None:
+        """Run until the lease had this number of holders."""
+        while self.server.lease.number < drivers:
+            assert self.now < 60 * drivers, "the lease has no new holder"
             due, _, action = heapq.heappop(self.events)
             self.now = max(self.now, due)
             self.server.step()
             action()
-            numbers.add(self.server.lease.number)
-        self.handovers = len(numbers)
 
 
 class SimulatedClient:
@@ -644,6 +655,6 @@ class SimulatedClient:
 def test_two_drivers_never_drive_at_once(request: pytest.FixtureRequest) -> None:
     """`LossyNetwork` checks each request to the session."""
     network = LossyNetwork(seed=request.config.getoption("randomly_seed", 1))
-    network.run_until(500)
+    network.run(500)
     assert network.moves > 100
     assert network.server.refused["replayed"] > 10

@@ -71,7 +71,7 @@ log = logging.getLogger(__name__)
 _SLICE = 0.005  # seconds by which a received report may be delayed
 _HEARTBEAT = 0.1  # seconds between two heartbeats
 
-# The server sends at least ten reports a second. It stops the motors if the driving client is
+# The server sends at least six reports a second. It stops the motors if the driving client is
 # silent for half a second.
 _SILENT_AFTER = 0.7  # seconds without a report after which the network counts as silent
 _LOST_AFTER = 5.0  # seconds without a report after which the connection ends
@@ -358,7 +358,7 @@ class RemoteSession:
                     emit(report)
                 if stops_all:
                     self._has_armed = self._has_armed and reason is None
-            case Welcome() | Refused() | Tick() | Outcome():  # a stop was repeated
+            case Welcome() | Refused() | Tick() | Outcome():  # `Outcome`: of a repeated stop
                 pass
             case _:
                 emit(report)

@@ -73,7 +73,7 @@ MAX_JOBS = 8  # queued jobs of a client
 _PACKET_LIMIT = 16  # bytes; a longer packet would delay a stop for too long
 _ATTEMPT_LIMIT = 3  # maximum number of attempts in a `ProbeNumber`
 _CLIENT_TIMEOUT = 5.0  # seconds without a message until a client is removed
-_TICK_INTERVAL = 0.1  # maximum time between two messages to a client, in seconds
+_TICK_INTERVAL = 0.1  # seconds without a message to a client until it receives a `Tick`
 _IDLE_INTERVAL = 0.25  # seconds between steps without clients; half of the lease timeout
 
 _EXPIRING = SetpointRequest | Arm  # ignored if older than the lease timeout
@@ -151,7 +151,7 @@ class BoardServer:
     # --- Clients ------------------------------------------------------------------------
 
     def handle(self, party: Party, data: bytes) -> None:
-        """Handle a message of a client. Refused messages are only counted."""
+        """Handle a message of a client. Invalid messages are only counted."""
         if len(data) > MAX_REQUEST_SIZE:
             self._refuse("too large")
             return
@@ -398,7 +398,7 @@ class BoardServer:
             waiting.append((client.party, request.id))
 
     def _reject(self, client: _Client, request: Request) -> None:
-        self._refuse("without the lease")
+        self._refuse("not permitted")
         number = getattr(request, "id", 0)
         if number:
             may_drive = client.party.role >= Role.DRIVE
@@ -505,6 +505,7 @@ class BoardServer:
             self.report(Closed(error or TrexError(ErrorCode.CLOSED), may_move))
             self._clients.clear()
             self._outcomes.clear()
+            self._speeds.clear()
             self.lease = Lease(number=self.lease.number)
 
     def _lease_for(self, client: _Client) -> LeaseChanged:
