@@ -33,7 +33,7 @@ from trex_gui.devices.trex.open_board import MotorsStoppedError
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.serve.codec import VERSION, Hello, encode_request
 from trex_gui.devices.trex.serve.network import key, open_client
-from trex_gui.devices.trex.serve.robots import Robots, _row_of
+from trex_gui.devices.trex.serve.robots import Robots
 from trex_gui.devices.trex.serve.served_board import _CLIENT_LIMIT
 from trex_gui.devices.trex.session.messages import AskLease
 
@@ -449,10 +449,3 @@ def test_user_cannot_reply_in_place_of_the_server(user_server: ServerProcess) ->
         (row,) = find_robots([user_server.url("alice")])
         assert row["name"] == "arm"
         del queryable
-
-
-@pytest.mark.parametrize(
-    "row", [b"[1]", b"{}", b"\xff", b'{"name": "a\\u001b", "board": null, "driver": null}']
-)
-def test_malformed_reply_is_no_robot(row: bytes) -> None:
-    assert _row_of(row) is None

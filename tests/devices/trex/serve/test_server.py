@@ -600,10 +600,11 @@ class LossyNetwork:
                 assert drive.speed == self.drivers[holder.user].speed, "setpoint of other client"
                 self.moves += bool(self.armed)
 
-    def run(self, drivers: int) -> None:
-        """Run until the lease had this number of holders."""
-        while self.server.lease.number < drivers:
-            assert self.now < 60 * drivers, "the lease has no new holder"
+    def run_until(self, number: int) -> None:
+        """Run until the lease has this number."""
+        end = self.now + 60 * (number - self.server.lease.number)
+        while self.server.lease.number < number:
+            assert self.now < end, "the lease has no new holder"
             due, _, action = heapq.heappop(self.events)
             self.now = max(self.now, due)
             self.server.step()
@@ -655,6 +656,6 @@ class SimulatedClient:
 def test_two_drivers_never_drive_at_once(request: pytest.FixtureRequest) -> None:
     """`LossyNetwork` checks each request to the session."""
     network = LossyNetwork(seed=request.config.getoption("randomly_seed", 1))
-    network.run(500)
+    network.run_until(500)
     assert network.moves > 100
     assert network.server.refused["replayed"] > 10

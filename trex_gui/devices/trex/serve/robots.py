@@ -87,7 +87,7 @@ class Robots:
             replies = self._get(board, board.name, "stop", user, seconds=_STOP_TIMEOUT_S)
         except StudioError as error:
             return str(error)
-        return str(json.loads(replies[0])["error"]) if replies else tr("It did not respond.")
+        return _error_in(replies)
 
     def _get(self, address: Address, *parts: str, seconds: float) -> list[bytes]:
         """Return the replies of a host. Reconnect if there is no reply over the open connection."""
@@ -119,7 +119,15 @@ def _row_of(data: bytes) -> dict[str, Any] | None:
         is_valid = is_name(row["name"]) and all(map(str.isprintable, texts))
     except (ValueError, LookupError, TypeError):
         return None
-    return row if is_valid and isinstance(row, dict) else None
+    return row if is_valid else None
+
+
+def _error_in(replies: list[bytes]) -> str:
+    """Return the error in the reply to a stop. An invalid reply counts as missing."""
+    try:
+        return str(json.loads(replies[0])["error"])
+    except (ValueError, LookupError, TypeError):
+        return tr("It did not respond.")
 
 
 def require_network() -> None:

@@ -120,12 +120,12 @@ class ServedBoard:
         self._table: MeasurementTable | None = None
         self._is_subscribed = False  # True if a program subscribes to the measurements
         listener = self._measurements.declare_matching_listener(self._on_matching)
-        # Each user has separate expressions, because the engine announces to a client only the
-        # expressions that its user may access.
         self._references: list[object] = [
             listener,
             self._network.declare_queryable(key(name, "info"), self._on_query),
         ]
+        # Each user has separate expressions, because the engine announces to a client only the
+        # expressions that its user may access.
         for user in self._roles:
             self._references += [
                 self._network.declare_subscriber(key(name, "from", user, "*"), self._on_request),
