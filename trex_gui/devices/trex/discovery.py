@@ -231,7 +231,7 @@ class TrexProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Probe each device number. If more than one board replies, the list replaces `found`."""
+        """Probe each device number. The boards replace `found` unless they add none."""
         polynomial = (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         if self.found:
             polynomial = self.found[0].settings.polynomial

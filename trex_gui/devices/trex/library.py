@@ -81,7 +81,7 @@ class BoardStatus:
     product: str
     firmware: str
     mode: str  # description of the mode, as a sentence
-    serial_controls: bool  # whether motor commands reach the motors
+    serial_controls: bool  # True if motor commands reach the motors
     currents: tuple[float, float]  # motors 1 and 2, in amperes
     channels: Mapping[int, ChannelStatus]  # channel number (1 to 5) → status
     errors: tuple[str, ...]  # names of the error bits since the last status
@@ -345,7 +345,7 @@ class Trex:
     ) -> tuple[str, ...]:
         """Store the values of a settings file, or the `after` values of rows.
 
-        Returns the changed keys. Values that the board already stores are not written. Raises the
+        Return the changed keys. Values that the board already stores are not written. Raise the
         errors of `set_parameters` and `compare_settings`.
         """
         rows = self.compare_settings(wanted) if isinstance(wanted, str | Path) else wanted
@@ -415,7 +415,7 @@ class Trex:
     def request_lease(self, seconds: float = 0.0, *, take: bool = False) -> None:
         """Request the lease of a network board from the user who drives it.
 
-        The motors are stopped first. The call waits `seconds` for the handover. An owner may `take`
+        The motors stop before the handover, for which the call waits `seconds`. An owner may `take`
         the lease. A free lease needs no call, because `drive` and every write of settings request
         it.
 

@@ -7,13 +7,10 @@ LONG_TIMEOUT = 30.0  # seconds
 
 
 def comes_true(condition: Callable[[], object]) -> bool:
-    """Poll a condition. Return whether it came true in time.
-
-    Pauses leave the simulator time for the program.
-    """
+    """Poll a condition. Return whether it came true in time."""
     end = time.monotonic() + LONG_TIMEOUT
     while not condition():
         if time.monotonic() > end:
             return False
-        time.sleep(0.02)
+        time.sleep(0.02)  # leaves processor time to the simulator
     return True

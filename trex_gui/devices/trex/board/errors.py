@@ -35,7 +35,7 @@ class ErrorEntry:
     seen_at: float = -math.inf  # time of the last report on the monotonic clock, in seconds
     is_doubtful: bool = False  # True if the last report may be a corrupted reply
     is_uncleared: bool = False  # True if reported since the user last cleared the error
-    is_earlier: bool = False  # True if latched before the connection, and not counted
+    is_earlier: bool = False  # True if latched before the connection, which is not counted
 
 
 def error_names(entries: Sequence[ErrorEntry]) -> str:
@@ -106,7 +106,7 @@ class ErrorCounts:
     def occurred(self) -> list[ErrorEntry]:
         """Errors that were reported, or latched before the connection. Newest first.
 
-        The general UART error bit is omitted if specific UART errors are listed.
+        Specific UART errors replace the general bit, unless only the general bit is uncleared.
         """
         entries = [entry for entry in self.entries if entry.count or entry.is_earlier]
         specific = [entry for entry in entries if isinstance(entry.bit, UartError)]
@@ -171,7 +171,10 @@ class ErrorCounts:
         self._changed()
 
     def clear(self, bit: Status | UartError) -> None:
-        """Mark an error as cleared. An active error is reported again."""
+        """Mark an error as cleared. An active error is reported again.
+
+        A specific UART error also clears the general UART error bit.
+        """
         general_bit = Status.UART_ERROR if isinstance(bit, UartError) else bit
         self.entries = tuple(  # compare by identity: bits of the two bytes have equal values
             replace(entry, is_uncleared=False)
@@ -203,7 +206,10 @@ class StatusEvents:
         self._seen: dict[str, float] = {}
 
     def of(self, latched: LatchedStatus, before: Iterable[ErrorEntry]) -> Iterator[Event]:
-        """Yield the events of a status. An uncleared serial error causes no new event."""
+        """Yield the events of a status.
+
+        An uncleared serial error causes no new event, unless it is a timeout.
+        """
         if latched.is_earlier:
             yield _earlier(latched)
             return

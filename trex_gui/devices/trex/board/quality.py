@@ -23,7 +23,7 @@ _INTERVAL = 2.0  # minimum seconds between two results, so that the text remains
 _NOISY = 0.01  # fraction of failures at which a line is noisy
 _GOOD = 0.005  # fraction of failures below which a noisy line is good again
 
-_STRAY_BYTES = 10  # unexpected bytes that count as one failure: the size of the longest reply
+_STRAY_BYTES = 10  # unexpected bytes that count as one failure: the longest reply without CRC
 
 _DOUBTFUL_FOR = 5.0  # seconds after a failure during which replies without CRC are doubtful
 

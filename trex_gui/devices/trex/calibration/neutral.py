@@ -113,7 +113,7 @@ def lost_pulses(fraction: float, *, fatal: bool = True) -> CalibrationProblem:
 
 
 def measure_neutral(samples: Sequence[ChannelSample], source: InputSource) -> Neutral | None:
-    """Measure a channel at rest. `None` before the first valid sample."""
+    """Measure a channel at rest. `None` for fewer than `_MIN_JUDGED` samples, all invalid."""
     if not samples:
         return None
     counts = [sample.count for sample in samples if sample.count is not None]

@@ -224,7 +224,7 @@ class Memory:
 
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
         self.parameters = parameters_of(eeprom.model.key, firmware)
-        self.writes = 0  # number of finished writes
+        self.writes = 0  # number of times that all pending writes were finished
         # Key → (maximum value that this firmware accepts outside an inferred limit, mask of the
         # stored bits)
         self.accepted: dict[str, tuple[int, int]] = {}

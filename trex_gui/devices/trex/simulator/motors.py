@@ -62,7 +62,7 @@ class Motor:
 
     def update(self, settings: MotorSettings, current: int) -> bool:
         """Advance by 10 ms. Return whether the current, in counts, is over the limit."""
-        limit = 2 * settings.current_limit
+        limit = 2 * settings.current_limit  # counts; the parameter has steps of two counts
         is_over_limit = 0 < limit < current
         if is_over_limit and self.direction is self.target_direction is not MotorDirection.BRAKE:
             self._limit(settings.current_limit_p, current - limit)
@@ -142,7 +142,7 @@ class SerialControl:
         self.in_control = in_control  # True if the motors obey serial commands
         self.status = Status(0)
         self.uart_errors = UartError(0)
-        self.errors = 0  # number of UART errors
+        self.errors = 0  # number of UART errors, without timeouts
         self._motors = motors
         self._aux = aux
         self._joint = joint
