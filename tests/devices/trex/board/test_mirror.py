@@ -94,8 +94,9 @@ class MirrorHarness:
     def close(self, *, may_move: bool = False) -> None:
         self.handle(Closed(None, may_move=may_move))
 
-    def connection(self) -> tuple[float | None, int, int]:
-        return self.board.connected_at, self.board.returns, self.board.restarts
+    def connection(self) -> tuple[float | None, datetime | None, int, int]:
+        board = self.board
+        return board.connected_at, board.connected_utc, board.returns, board.restarts
 
     def stored(self) -> DeviceState | None:
         return self.board.state
@@ -149,11 +150,11 @@ def test_returns_and_restarts_are_counted_per_connection(harness: MirrorHarness)
     harness.now = 9.0
     for occasion in (ReadReason.RETURNED, ReadReason.RESTARTED, ReadReason.RESTARTED):
         harness.read(state(), occasion)
-    assert harness.connection() == (2.0, 1, 2)
+    assert harness.connection() == (2.0, NOW, 1, 2)
     harness.close()
-    assert harness.connection() == (None, 1, 2)
+    assert harness.connection() == (None, None, 1, 2)
     harness.read(state())
-    assert harness.connection() == (9.0, 0, 0)
+    assert harness.connection() == (9.0, NOW, 0, 0)
 
 
 def test_silent_board_has_no_inputs_and_closed_board_no_state(harness: MirrorHarness) -> None:
@@ -423,7 +424,6 @@ def test_replies_show_that_so_is_not_grounded(harness: MirrorHarness) -> None:
     ):
         harness.handle(report)
         grounded.append(harness.board.so_ground)
-    assert harness.board.connected_utc == NOW
     harness.handle(echoing)
     assert [*grounded, harness.board.so_ground] == [None, False, None, None]
 

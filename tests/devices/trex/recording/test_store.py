@@ -172,7 +172,7 @@ def test_recording_maps_no_file_into_the_process(path: Path) -> None:
     writer.close()
 
 
-def test_full_disk_is_reported(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_full_disk_is_reported(path: Path) -> None:
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
     writer._database.execute("PRAGMA max_page_count = 40")
     with pytest.raises(RecordingError, match=r"a\.trexrec: .*: No space left on device\."):
@@ -218,7 +218,7 @@ def test_cut_file_is_read_as_far_as_possible(
         return
     assert header == HEADER
     assert "The end of the file is missing." in problems
-    assert len(found) <= len(records)
+    assert len(set(found) - set(records)) <= 1, "only the record at the cut may be wrong"
 
 
 def test_cut_file_keeps_its_intact_samples(

@@ -81,7 +81,7 @@ def test_voltage_is_averaged_over_last_20_ms(analog: Channels) -> None:
     assert ticks(analog, PERIOD)[-1][0] == 1023
 
 
-def test_disconnect_sets_every_channel_to_rest(rc: Channels) -> None:
+def test_reset_sets_every_signal_to_rest(rc: Channels) -> None:
     rc.signals[3] = Signal.parse("1200us noise 2us", RC)
     rc.reset_signals()
     assert [rc.signals[channel].text for channel in CHANNELS] == ["rest"] * 5

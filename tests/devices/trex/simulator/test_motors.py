@@ -66,7 +66,7 @@ def test_zero_gain_turns_motor_off_over_current_limit() -> None:
     [(FORWARD, 100, 0, 127, 255, 100), (BRAKE, 127, 1, 5, 255, 127), (FORWARD, 10, 1, 1, 3, 9)],
     ids=["no limit", "brake command", "lower setpoint"],
 )
-def test_limiter_does_not_change_brakes_and_lower_setpoints(
+def test_limiter_spares_brakes_and_starts_at_the_setpoint(
     direction: MotorDirection, speed: int, limit: int, gain: int, current: int, output: int
 ) -> None:
     motor = Motor()
