@@ -129,11 +129,6 @@ class BoardPage(QWidget):
             settings.label,
             settings.line.text(),
         ]
-        wire = state.parameters.get(ParameterKey.UART_SETTINGS)
-        is_valid = wire is not None and wire in state.specs[ParameterKey.UART_SETTINGS].valid
-        real = settings.line.real_baud(state.signature.firmware)
-        if is_valid and real != settings.line.baud:
-            facts.append(tr("this firmware runs at half this baud rate"))
         if number is not None:
             facts.append(tr("device number {0}").format(number))
         if (delay := self._device.board.network_delay) is not None:
@@ -142,6 +137,11 @@ class BoardPage(QWidget):
             facts.append(tr("joint: one motor"))
         if self._device.board.echo:
             facts.append(tr("RS-232 (everything sent comes back)"))
+        wire = state.parameters.get(ParameterKey.UART_SETTINGS)
+        is_valid = wire is not None and wire in state.specs[ParameterKey.UART_SETTINGS].valid
+        real = settings.line.real_baud(state.signature.firmware)
+        if is_valid and real != settings.line.baud:
+            facts.insert(4, tr("this firmware runs at half this baud rate"))  # behind the baud rate
         return facts
 
     @Slot()
