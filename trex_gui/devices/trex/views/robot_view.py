@@ -55,10 +55,7 @@ class WheelPart(QPushButton):
 
 
 class RobotView(Painted):
-    """Drawing of the robot with turning wheels.
-
-    If `with_buttons` is true, each wheel consists of two buttons.
-    """
+    """Robot with turning wheels. If `with_buttons` is true, each wheel consists of two buttons."""
 
     wheel_clicked = Signal(object)  # `Movement`
 

@@ -31,10 +31,7 @@ class RobotsDialog(ReusedDialog):
         set_served: Callable[[dict[str, str]], object],
         parent: QWidget,
     ) -> None:
-        """Create the dialog.
-
-        `connect` is called with a URL. `set_served` is called with a mapping of URLs to labels.
-        """
+        """Create the dialog. `connect` receives a URL, `set_served` the label of each URL."""
         super().__init__(parent)
         self._device, self._connect, self._set_served = device, connect, set_served
         self._rows: list[dict[str, Any]] = []

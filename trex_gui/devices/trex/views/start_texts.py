@@ -12,9 +12,7 @@ def ttl_wiring() -> Wires:
 
 
 def start_texts() -> StartTexts:
-    """Return the texts of the start page, with three kinds of wiring.
-
-    The board is wired to a TTL adapter, an RS-232 adapter or a receiver.
+    """Return the texts and the wiring of the start page.
 
     Ref: Pololu TReX manual page 7 (RS-232 levels, BEC jumper); forum thread 1769 (3.3 V levels,
     mode jumper).

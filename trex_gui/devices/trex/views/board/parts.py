@@ -108,10 +108,7 @@ class ChannelPart(BoardPart):
     def show_input(
         self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
     ) -> None:
-        """Show a raw count on an axis.
-
-        A count of `None` means no signal or an unknown value.
-        """
+        """Show a raw count on an axis. `None` means no signal or an unknown value."""
         if (axis, count, calibration) != (self._axis, self._count, self._calibration):
             self._axis, self._count, self._calibration = axis, count, calibration
             self.update()

@@ -64,7 +64,7 @@ class BoardView(QWidget):
         def opener(page: str) -> Callable[[], object]:
             return partial(self.page_requested.emit, page)
 
-        leds, settings = opener("errors"), opener("parameters")
+        errors, settings, traffic = opener("errors"), opener("parameters"), opener("transcript")
         channels, motors = opener("channels"), opener("motors")
         self._channels = {
             number: ChannelPart(
@@ -76,22 +76,18 @@ class BoardView(QWidget):
             for number in CHANNELS
         }
         self._leds = (
-            LedPart("RedLed", tr("{0} LED").format(tr("Red")), leds, self, "led_red"),
-            LedPart("GreenLed", tr("{0} LED").format(tr("Green")), leds, self, "led_green"),
+            LedPart("RedLed", tr("{0} LED").format(tr("Red")), errors, self, "led_red"),
+            LedPart("GreenLed", tr("{0} LED").format(tr("Green")), errors, self, "led_green"),
         )
         self._mode = JumperPart("ModeJumper", tr("Mode jumper"), settings, self)
         self._mix = JumperPart("MixJumper", tr("Mix jumper"), channels, self)
-        self._so_ground = JumperPart(
-            "SoGroundJumper", tr("SO–G jumper"), opener("transcript"), self
-        )
-        names = {1: tr("Motor 1"), 2: tr("Motor 2"), AUXILIARY: tr("Auxiliary")}
+        self._so_ground = JumperPart("SoGroundJumper", tr("SO–G jumper"), traffic, self)
         self._motors = {
-            number: MotorPart(f"Motor{number}", name, motors, self, color)
-            for (number, name), color in zip(
-                names.items(), ("motor1", "motor2", "auxiliary"), strict=True
-            )
+            1: MotorPart("Motor1", tr("Motor 1"), motors, self, "motor1"),
+            2: MotorPart("Motor2", tr("Motor 2"), motors, self, "motor2"),
+            AUXILIARY: MotorPart("Motor3", tr("Auxiliary"), motors, self, "auxiliary"),
         }
-        self._serial = SerialPart("Serial", tr("Serial line"), opener("errors"), self)
+        self._serial = SerialPart("Serial", tr("Serial line"), errors, self)
         follow_theme(self, "space", self._place)
 
     # --- Layout -------------------------------------------------------------------------

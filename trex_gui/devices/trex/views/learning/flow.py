@@ -33,10 +33,7 @@ class LearnFlow(Flow):
     def __init__(
         self, learning: Learning, parent: QObject | None = None, *, name: str = "learn"
     ) -> None:
-        """Create the flow.
-
-        A `name` other than `learn` makes the flow part of a larger task that starts no stick test.
-        """
+        """Create the flow. With another `name`, it is part of a task that starts no stick test."""
         super().__init__(parent)
         self.name = name
         self.learning = learning

@@ -419,10 +419,7 @@ def _stored_facts(device: Device) -> _Facts:
 
 
 def _table(facts: _Facts, *, linked: bool) -> str:
-    """Return an HTML table with titles above values.
-
-    If `linked` is true, each value links to its parameter.
-    """
+    """Return HTML with titles above values. If `linked`, each value links to its parameter."""
 
     def link(text: str, key: str) -> str:
         color = theme().color("warning" if WARNING_SIGN in text else "link").name()
