@@ -7,9 +7,11 @@ import signal
 import socket
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
+from itertools import repeat
 from pathlib import Path
 from threading import Thread
 
@@ -404,6 +406,48 @@ def test_guardian_that_cannot_start_is_never_ready(monkeypatch: pytest.MonkeyPat
     guardian.watch(STOP)
     assert not guardian.is_ready
     assert not guardian.end()
+
+
+def start_late(ends: Ends, folder: Path) -> tuple[GuardianProcess, Path]:
+    """Start a guardian that hangs in its start until a file exists. Return it and the file."""
+    gate, executable = folder / "gate", folder / "python"
+    wait = f'while [ ! -e "{gate}" ]; do sleep 0.01; done'
+    executable.write_text(f'#!/bin/sh\n{wait}\nexec "{sys.executable}" "$@"\n')
+    executable.chmod(0o755)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sys, "executable", str(executable))
+        return GuardianProcess(SharedPort("serial", ends[0].fileno()), LONG_SILENCE), gate
+
+
+def watch_all(guardian: GuardianProcess, sequences: Iterable[StopSequence]) -> None:
+    """Send heartbeats. A write that blocks fails the test."""
+    session = Thread(target=lambda: deque(map(guardian.watch, sequences)), daemon=True)
+    session.start()
+    session.join(LONG_TIMEOUT)
+    is_blocked = session.is_alive()
+    if is_blocked and guardian._process is not None:
+        guardian._process.kill()
+    assert not is_blocked
+
+
+def test_guardian_that_hangs_in_its_start_never_blocks_the_session(
+    ends: Ends, tmp_path: Path
+) -> None:
+    guardian, _ = start_late(ends, tmp_path)
+    watch_all(guardian, (replace(STOP, seconds=number) for number in range(1000)))
+    assert not guardian.end()
+    assert has_ended(guardian)
+
+
+def test_guardian_that_starts_late_stops_the_motors(
+    board: Board, ends: Ends, tmp_path: Path
+) -> None:
+    guardian, gate = start_late(ends, tmp_path)
+    watch_all(guardian, repeat(STOP, 1000))
+    gate.touch()
+    guardian.wait_until_ready(LONG_TIMEOUT)
+    assert guardian.stop(LONG_TIMEOUT)
+    assert board.received.startswith(STOP.packets)
 
 
 def test_process_imports_only_the_standard_library() -> None:

@@ -26,6 +26,7 @@ _ABORT_TIMEOUT_S = 6.0  # timeout while the process stops the motors, which take
 # A process counts as suspended if it has left this many messages unread, the oldest for this long.
 _SUSPENDED_UNREAD = 3
 _SUSPENDED_S = 0.25
+_PIPE_SIZE = 4096  # bytes; Windows has the smallest pipe, and a write to a full pipe blocks
 
 _watching_since: list[str] = []
 
@@ -107,7 +108,7 @@ class GuardianProcess:
         self._started, self._ended = threading.Event(), threading.Event()
         self._marked = threading.Event()
         self._has_file = file is not None
-        self._unread, self._unread_since = 0, 0.0
+        self._unread, self._unread_size, self._unread_since = 0, 0, 0.0
         self._writing = threading.Lock()
         self.has_acted = False
         self._process: subprocess.Popen[bytes] | None = None
@@ -128,7 +129,7 @@ class GuardianProcess:
                     log.debug("guardian process %d: %r", process.pid, line)
                 match line.strip():
                     case b"read":
-                        self._unread = 0
+                        self._unread = self._unread_size = 0
                     case b"ready":
                         self._started.set()
                     case b"marked":
@@ -167,9 +168,12 @@ class GuardianProcess:
     def watch(self, sequence: StopSequence | None) -> None:
         if sequence is None and self._sent is None:
             return
-        is_first, self._sent = self._sent is None, sequence
+        is_first, is_repeated = self._sent is None, sequence == self._sent
+        self._sent = sequence
         if not _watching_since:
             _watching_since.append(time.strftime("%Y-%m-%d %H:%M:%S"))
+        if is_repeated and not self._started.is_set():
+            return  # a slow start must not fill the pipe
         self._marked.clear()
         self._send("idle" if sequence is None else _message(sequence))
         if is_first and self._has_file and self.is_ready:  # a slow start must not delay a stop
@@ -192,16 +196,23 @@ class GuardianProcess:
         return self._is_confirmed
 
     def _send(self, message: str) -> bool:
-        """Send a message. Return whether it was sent."""
-        process = self._process
+        """Send a message. Return whether it was sent. Never blocks.
+
+        A process with a full pipe has hung and would later act on old messages. It is killed.
+        """
+        process, data = self._process, f"{message}\n".encode("ascii")
         with self._writing:
             if process is None or process.stdin is None or self._ended.is_set():
+                return False
+            if self._unread and self._unread_size + len(data) > _PIPE_SIZE:
+                process.kill()
                 return False
             # Counted before the write, because the process may read the message at once.
             self._unread_since = self._unread_since if self._unread else time.monotonic()
             self._unread += 1
+            self._unread_size += len(data)
             try:
-                os.write(process.stdin.fileno(), f"{message}\n".encode("ascii"))
+                os.write(process.stdin.fileno(), data)
             except (OSError, ValueError) as error:
                 is_closed_here = not isinstance(error, BrokenPipeError)
                 self.has_acted |= is_closed_here and self._sent is not None
