@@ -14,6 +14,7 @@ from dataclasses import replace
 from itertools import repeat
 from pathlib import Path
 from threading import Thread
+from typing import Any
 
 import pytest
 
@@ -100,16 +101,18 @@ def wait_until(happened: Callable[[], bool]) -> None:
         time.sleep(0.01)
 
 
+def process_of(guardian: GuardianProcess) -> Any:
+    assert guardian._process is not None
+    return guardian._process
+
+
 def close_input(guardian: GuardianProcess) -> None:
     """Close the input, as at the end of the program."""
-    assert guardian._process is not None
-    assert guardian._process.stdin is not None
-    guardian._process.stdin.close()
+    process_of(guardian).stdin.close()
 
 
 def has_ended(guardian: GuardianProcess) -> bool:
-    assert guardian._process is not None
-    return guardian._process.poll() is not None and guardian._ended.is_set()
+    return process_of(guardian).poll() is not None and guardian._ended.is_set()
 
 
 def test_motors_are_stopped_when_the_program_ends_while_they_may_move(
@@ -166,10 +169,8 @@ def test_guardian_with_closed_pipe_continues_to_stop(
     guardian: GuardianProcess, board: Board
 ) -> None:
     board.statuses = [b""]
-    assert guardian._process is not None
-    assert guardian._process.stdin is not None
     null = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(null, guardian._process.stdin.fileno())  # closes the pipe
+    os.dup2(null, process_of(guardian).stdin.fileno())  # closes the pipe
     os.close(null)
     guardian.watch(STOP)
     assert guardian.has_acted
@@ -181,8 +182,7 @@ def test_guardian_with_closed_pipe_continues_to_stop(
 
 def test_suspended_guardian_is_lost_and_may_be_killed(board: Board, ends: Ends) -> None:
     guardian = started(ends[0])
-    assert guardian._process is not None
-    guardian._process.send_signal(signal.SIGSTOP)
+    process_of(guardian).send_signal(signal.SIGSTOP)
 
     def is_lost() -> bool:
         guardian.watch(STOP)
@@ -203,9 +203,8 @@ def test_session_replaces_a_suspended_guardian(start_simulator: StartSimulator) 
     transport.wait_for_guardian()
     first = line._guardian
     assert first is not None
-    assert first._process is not None
     transport.beat()
-    first._process.send_signal(signal.SIGSTOP)
+    process_of(first).send_signal(signal.SIGSTOP)
 
     def is_replaced() -> bool:
         transport.wait(0.05)
@@ -258,14 +257,13 @@ def test_motors_are_stopped_when_the_heartbeat_is_missing(board: Board, ends: En
 
 def test_suspended_guardian_does_not_act_afterwards(board: Board, ends: Ends) -> None:
     guardian = started(ends[0], silence=2.0)
-    assert guardian._process is not None
     guardian.watch(STOP)
     wait_until(lambda: guardian._unread == 0)
-    guardian._process.send_signal(signal.SIGSTOP)
+    process_of(guardian).send_signal(signal.SIGSTOP)
     for _ in range(10):
         guardian.watch(STOP)
         time.sleep(0.25)
-    guardian._process.send_signal(signal.SIGCONT)
+    process_of(guardian).send_signal(signal.SIGCONT)
     guardian.watch(STOP)
     wait_until(lambda: guardian._unread == 0)
     assert not guardian.has_acted
@@ -383,16 +381,14 @@ def test_guardian_of_hanging_session_gets_replies(
 
 
 def test_ending_signals_do_not_end_the_guardian(guardian: GuardianProcess) -> None:
-    assert guardian._process is not None
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        os.kill(guardian._process.pid, number)
+        os.kill(process_of(guardian).pid, number)
     assert guardian.stop(LONG_TIMEOUT)
 
 
 def test_killed_guardian_is_not_ready(ends: Ends) -> None:
     guardian = started(ends[0])
-    assert guardian._process is not None
-    guardian._process.kill()
+    process_of(guardian).kill()
     wait_until(lambda: not guardian.is_ready)
     guardian.watch(STOP)
     assert not guardian.stop(0)
