@@ -83,13 +83,17 @@ def test_repeated_entry_is_counted_and_not_written() -> None:
     def repeat() -> None:
         for _ in range(1000):
             log.info("the same")
-        log.info("another")
+        for _ in range(2):
+            log.info("another")
+        log.info("the last")
 
     lines = written(say=repeat).splitlines()
     assert [line.partition(": ")[2] for line in lines] == [
         "the same",
         "the last entry was repeated 999 times",
         "another",
+        "the last entry was repeated 1 time",
+        "the last",
     ]
 
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from queue import SimpleQueue
 
 from trex_gui.core.files import check_ordinary, log_folder
+from trex_gui.core.texts import counted
 
 _MAX_SIZE = 512 * 1024  # bytes per file
 _OLDER_FILES = 3  # number of older files in addition to the newest file
@@ -131,7 +132,8 @@ class _LogFile(RotatingFileHandler):
             self._repeats += 1
             return
         if self._repeats:
-            entry = {"msg": f"the last entry was repeated {self._repeats} times", "name": __name__}
+            repeats = counted(self._repeats, "time")
+            entry = {"msg": f"the last entry was repeated {repeats}", "name": __name__}
             super().emit(logging.makeLogRecord({"levelname": "INFO", **entry}))
         self._last, self._since, self._repeats = text, record.created, 0
         super().emit(record)
