@@ -85,7 +85,7 @@ def default_profile(pad: Pad) -> GamepadProfile:
     hold, stop = (pad.part_number("b", part) for part in ("leftshoulder", "b"))
     if hold is None and pad.buttons:
         hold = min(4, pad.buttons - 1)
-    if stop is None and pad.buttons > 1 and hold != 1:
+    if stop is None and pad.buttons > 1:
         stop = 1
     return GamepadProfile(
         first=default.first if forward is None else Axis(forward, inverted=True),
