@@ -44,7 +44,7 @@ _MAC_PORT = re.compile(
 _SERIAL = re.compile(rf"\b(SE?N?R=)[^\s<\]]{{{_SHORTEST_SERIAL},}}")
 _BLUETOOTH = re.compile(r"(BTHENUM\\\S*&)[0-9A-Fa-f]{12}(?=_)")
 _HOST = re.compile(
-    r"\b((?:socket|rfc2217|hwgrep|spy)://)"
+    r"\b((?:socket|rfc2217|trex|hwgrep|spy)://)"
     r"(?!(?:127\.0\.0\.1|localhost|\[::1\])(?![\w-]|\.\w))"
     r"(?:[^\s/@]*@)?(?:\[[^\]\s]*\]|[^\s/:]+)"
 )
