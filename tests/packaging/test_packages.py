@@ -237,6 +237,9 @@ def test_manual_page_contains_the_help_of_every_command(monkeypatch: pytest.Monk
     assert '.SH "TREXCMD STATUS"\n.nf\nUsage of status\n' in page
     assert '.SH "TREXCMD FIND"' in page
     assert ".BR trex\\-gui (1)" in page
+
+
+def test_special_characters_are_escaped_for_roff() -> None:
     assert packages.roff(".start\n'a-b\\n") == "\\&.start\n\\&'a\\-b\\en"
 
 
