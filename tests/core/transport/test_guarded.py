@@ -130,7 +130,7 @@ def test_suspended_session_sends_its_stop_before_any_setpoint(session: Session) 
     assert session.line.written == [STOP.packets[:2], SETPOINT]
 
 
-@pytest.mark.parametrize("use", ["wait", "read", "discard"])
+@pytest.mark.parametrize("use", ["wait", "read", "discard", "reconfigure"])
 def test_takeover_detected_late_also_blocks_setpoints(use: str, session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
@@ -139,6 +139,7 @@ def test_takeover_detected_late_also_blocks_setpoints(use: str, session: Session
         "wait": lambda: session.transport.wait(0.1),
         "read": lambda: session.transport.read(1, 0.1),
         "discard": session.transport.discard,
+        "reconfigure": lambda: session.transport.reconfigure(SerialFormat()),
     }
     uses[use]()
     session.stop = None  # as after a lock-out
