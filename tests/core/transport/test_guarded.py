@@ -1,6 +1,6 @@
 """Heartbeats to the guardian, and writes of a session that was suspended."""
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 
 import pytest
 
@@ -135,7 +135,7 @@ def test_takeover_detected_late_also_blocks_setpoints(use: str, session: Session
     session.stop = STOP
     session.transport.beat()
     session.line.now += SILENCE
-    uses = {
+    uses: dict[str, Callable[[], object]] = {
         "wait": lambda: session.transport.wait(0.1),
         "read": lambda: session.transport.read(1, 0.1),
         "discard": session.transport.discard,
