@@ -68,8 +68,10 @@ class Robot:
 
     def go_to(self, step: SetupStep) -> None:
         self.setup.go_to(SetupStep.DRIVER)
-        while self.setup.step is not step:
-            self.setup.skip()
+        for _ in SetupStep:
+            if self.setup.step is not step:
+                self.setup.skip()
+        assert self.setup.step is step
 
     def find_motors(self) -> None:
         """Pulse each motor and record the wheel that turns."""

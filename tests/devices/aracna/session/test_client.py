@@ -81,8 +81,9 @@ def test_line_is_busy_until_query_after_late_move_is_answered() -> None:
     client.move(THERE, 0.5)
     received(client, 2.0)
     harness.do("servo 1 free")
+    end = harness.now + 2
     while not any(isinstance(one, Answered) for one in client.listen(0.001)):
-        pass
+        assert harness.now < end
     with pytest.raises(BadRequest):
         client.move(THERE, 5.0)
     received(client, 0.1)

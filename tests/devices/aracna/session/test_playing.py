@@ -238,12 +238,13 @@ def test_blend_in_precedes_rounds_and_blend_out_follows(
     expected = [("in", index, 0) for index in range(before)]
     expected += [("steps", index, turn) for turn in range(rounds) for index in range(many)]
     out = [("out", index, 0) for index in range(after)]
-    while player.is_playing:
+    for _ in range(3 + 4 * 3 + 3 + 1):  # the longest sequence and its end
         player.next_speeds(0.0)
         player.next_goals()
         player.on_arrival()
         if len(reports) == end_after:
             player.end()
+    assert not player.is_playing
     started = [report for report in reports if isinstance(report, StepStarted)]
     played = [(step.part, step.index, step.round) for step in started]
     assert played == [*expected[:end_after], *out]
