@@ -5,7 +5,8 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from tests.support.aracna import AracnaHarness
-from trex_gui.core.session import Close
+from trex_gui.core.errors import StudioError
+from trex_gui.core.session import Close, Outcome
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.session.messages import LineStats, Report, Request
 from trex_gui.devices.aracna.session.session import AracnaSession
@@ -64,6 +65,11 @@ class ScriptedSession:
             for time, report in zip(self.times, self.reports, strict=True)
             if isinstance(report, kind)
         ]
+
+    @property
+    def errors(self) -> dict[int, StudioError | None]:
+        """Error of each finished request, by id."""
+        return {outcome.id: outcome.error for outcome in self.of(Outcome)}
 
     @property
     def kinds(self) -> list[str]:

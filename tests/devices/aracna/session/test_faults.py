@@ -61,9 +61,8 @@ def test_restart_voids_speed_command(delay: float) -> None:
     session = ScriptedSession().at(0.5, SetSpeeds(1, SLOW))
     session.at(0.5 + delay, "reset").at(4.0, SetSpeeds(2, SLOW)).until(5.0).run()
     _assert_recovered_from_restart(session, voided=True)
-    outcomes = {outcome.id: outcome for outcome in session.of(Outcome)}
-    assert code(outcomes[1].error) is ErrorCode.RESTARTED
-    assert outcomes[2].error is None
+    assert code(session.errors[1]) is ErrorCode.RESTARTED
+    assert session.errors[2] is None
 
 
 @pytest.mark.parametrize("delay", [0.0005, 0.012, 0.1, 0.38])
@@ -72,9 +71,8 @@ def test_restart_voids_move_while_servos_keep_moving(delay: float) -> None:
     session.on(lambda report: isinstance(report, Moving), Move(2, HERE))
     session.at(0.5 + delay, "reset").until(5.0).run()
     _assert_recovered_from_restart(session, voided=True)
-    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert code(outcomes[1]) is ErrorCode.RESTARTED
-    assert code(outcomes[2]) is ErrorCode.RESTARTED
+    assert code(session.errors[1]) is ErrorCode.RESTARTED
+    assert code(session.errors[2]) is ErrorCode.RESTARTED
     assert not session.of(Moved)
     assert len(session.of(Moving)) == 1  # no motion is sent after the restart
     if delay > 0.01:
@@ -118,11 +116,14 @@ def test_session_waits_for_boot_loader_after_restart() -> None:
 # --- Servos that fail -----------------------------------------------------------------------
 
 
+def _moving_session() -> ScriptedSession:
+    """Return a session in which the second move starts after 0.6 s and takes 0.39 s."""
+    session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE))
+    return session.at(0.6, Move(3, THERE))
+
+
 def _stuck_session() -> ScriptedSession:
-    session = (
-        ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
-    )
-    return session.at(0.8, "servo 3 dead")
+    return _moving_session().at(0.8, "servo 3 dead")
 
 
 def test_servo_failing_in_motion_is_reported_as_stuck_once() -> None:
@@ -136,9 +137,8 @@ def test_servo_failing_in_motion_is_reported_as_stuck_once() -> None:
     )
     assert session.of(Progress)[-1].present == (600,) * 3
     assert not session.of(NotResponding)
-    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert outcomes[3] is not None  # closed before the request was complete
-    assert outcomes[4] is not None
+    assert session.errors[3] is not None  # closed before the request was complete
+    assert session.errors[4] is not None
 
 
 def test_second_failed_servo_is_also_reported_as_stuck() -> None:
@@ -156,9 +156,8 @@ def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
     assert [moved.present[3] for moved in session.of(Moved)] == [512, 600, 512]
     assert session.when(Moving)[2] > 10.4, "the move was requested after the recovery"
     assert (0,) * 8 not in [held.requested for held in session.of(SpeedsHeld)]
-    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert [number for number, error in outcomes.items() if error is None] == [1, 2, 3, 7]
-    assert {code(outcomes[number]) for number in (4, 5, 6, 8)} == {ErrorCode.STUCK}
+    assert [number for number, error in session.errors.items() if error is None] == [1, 2, 3, 7]
+    assert {code(session.errors[number]) for number in (4, 5, 6, 8)} == {ErrorCode.STUCK}
     assert not session.of(NotResponding)
 
 
@@ -198,10 +197,9 @@ def test_stuck_motor_ends_playback() -> None:
 def test_command_after_truncated_reply_succeeds(lost: int) -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE))
     session.at(0.7, f"line drop {lost}").at(7.0, Move(3, HERE)).until(14.0).run()
-    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert outcomes[3] is None
-    if outcomes[2] is not None:
-        assert isinstance(outcomes[2], NoReply | BadReply)
+    assert session.errors[3] is None
+    if session.errors[2] is not None:
+        assert isinstance(session.errors[2], NoReply | BadReply)
     assert session.of(Moved)[-1].goals == HERE
     assert session.line.station.firmware.boots == 1
 
@@ -221,9 +219,8 @@ def test_lost_sent_bytes_do_not_prevent_later_move(dropped: int) -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(9, SLOW)).at(0.5, Move(8, HERE))
     session.at(0.7, f"line drop {dropped} sent")
     session.at(0.7, Move(1, THERE)).at(12.0, Move(2, HERE)).until(16.0).run()
-    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert set(outcomes) == {1, 2, 8, 9}
-    assert outcomes[2] is None
+    assert set(session.errors) == {1, 2, 8, 9}
+    assert session.errors[2] is None
     assert session.of(Moved)[-1].goals == HERE
 
 
@@ -241,29 +238,24 @@ def test_session_survives_noise_and_every_request_has_outcome(seed: int) -> None
 
 
 def test_robot_muted_during_motion_is_reported_as_not_responding() -> None:
-    session = (
-        ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
-    )
+    session = _moving_session()
     session.at(0.6, "line mute on").at(12.0, "line mute off").until(16.0).run()
     assert session.of(Stuck)[0].motor is None
     assert len(session.of(NotResponding)) == 1
     assert len(session.of(Connected)) == 2
-    assert isinstance({one.id: one.error for one in session.of(Outcome)}[3], NoReply)
+    assert isinstance(session.errors[3], NoReply)
     assert session.line.station.firmware.boots == 1
 
 
 def test_move_sent_right_after_lost_reply_succeeds() -> None:
     """The move waits until the robot replies to `.q`."""
-    session = (
-        ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
-    )
+    session = _moving_session()
     session.at(0.7, "line cut 8")
     session.on(lambda report: isinstance(report, Moved) and -1 in report.present, Move(4, HERE))
     session.until(10.0).run()
     assert len(session.of(Stuck)) == 1
-    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert outcomes[3] is not None
-    assert outcomes[4] is None
+    assert session.errors[3] is not None
+    assert session.errors[4] is None
     assert not session.of(NotResponding)
 
 

@@ -195,9 +195,8 @@ def test_moves_and_speeds_are_rejected_during_playback() -> None:
     session = positioned().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5))))
     session.at(1.2, Move(2, HERE)).at(1.2, Play(3, (step(1, 1),))).at(1.2, SetSpeeds(4, SLOW))
     session.until(5.0).run()
-    errors = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert errors[1] is None
-    assert all(isinstance(errors[number], BadRequest) for number in (2, 3, 4))
+    assert session.errors[1] is None
+    assert all(isinstance(session.errors[number], BadRequest) for number in (2, 3, 4))
 
 
 @pytest.mark.parametrize(
@@ -216,8 +215,7 @@ def test_moves_and_speeds_are_rejected_during_playback() -> None:
 )
 def test_invalid_play_request_is_rejected(play: Play) -> None:
     session = positioned().at(1.0, play).until(2.0).run()
-    [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
-    assert isinstance(outcome.error, BadRequest)
+    assert isinstance(session.errors[1], BadRequest)
     assert not session.of(PlayEnded)
 
 

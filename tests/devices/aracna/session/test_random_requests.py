@@ -74,9 +74,8 @@ def test_every_request_has_one_outcome_and_robot_recovers(
     session.at(time + 21.0, Move(99, (444,) * 8)).until(time + 24.0).run()
     assert session.reports[-1] == Closed(None)
     assert sorted(outcome.id for outcome in session.of(Outcome)) == [*sorted(numbers), 98, 99]
-    last = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert last[98] is None
-    assert last[99] is None
+    assert session.errors[98] is None
+    assert session.errors[99] is None
     assert session.of(Moved)[-1].goals == session.stage.goals == (444,) * 8
     assert all(abs(position - 444) <= 2 for position in session.stage.positions)
     _assert_reports_are_consistent(session)

@@ -144,10 +144,9 @@ def test_halt_drops_queued_moves_and_reports_motion_end() -> None:
         ScriptedSession().at(0.1, SetSpeeds(9, SLOW)).at(0.4, Move(1, THERE)).at(0.5, Move(2, HERE))
     )
     session.at(0.5, SetSpeeds(3, SLOW)).at(0.6, Halt()).until(4.0).run()
-    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert outcomes[1] is None
-    assert "Stopped" in str(outcomes[2])
-    assert "Stopped" in str(outcomes[3])
+    assert session.errors[1] is None
+    assert "Stopped" in str(session.errors[2])
+    assert "Stopped" in str(session.errors[3])
     assert len(session.of(Moving)) == 1
     assert session.stage.positions == (600,) * 8
     assert session.of(Moved)[0].present == (600,) * 8
@@ -184,9 +183,8 @@ def test_move_succeeds_after_truncated_command(fragment: bytes) -> None:
     """The robot has received only the first bytes of a command."""
     session = ScriptedSession().at(0.3, lambda: session.line.send(fragment)).at(0.4, Move(1, THERE))
     session.at(8.0, Move(2, THERE)).until(9.0).run()
-    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
-    assert set(outcomes) == {1, 2}
-    assert outcomes[2] is None
+    assert set(session.errors) == {1, 2}
+    assert session.errors[2] is None
     assert session.stage.positions == (600,) * 8
 
 

@@ -5,7 +5,6 @@ import re
 import pytest
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
-from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.errors import rejected_speeds
 from trex_gui.devices.aracna.session.messages import (
@@ -37,7 +36,7 @@ def lines(session: ScriptedSession, letter: str) -> list[str]:
 
 
 def errors(session: ScriptedSession) -> dict[int, str]:
-    return {one.id: "" if one.error is None else str(one.error) for one in session.of(Outcome)}
+    return {number: str(error or "") for number, error in session.errors.items()}
 
 
 # --- Speeds before every motion -------------------------------------------------------------
