@@ -51,16 +51,16 @@ class AracnaHarness:
     def speeds(self) -> tuple[int, ...]:
         return tuple(servo.speed for servo in self.line.servos)
 
-    def do(self, *lines: str) -> str:
+    def do(self, *controls: str) -> str:
         """Execute control lines. Return the text after the last `ok`."""
         reply = ""
-        for line in lines:
-            reply = control(self.line, line)
-            assert reply.startswith("ok"), f"{line}: {reply}"
+        for text in controls:
+            reply = control(self.line, text)
+            assert reply.startswith("ok"), f"{text}: {reply}"
         return reply.removeprefix("ok").strip()
 
-    def request(self, line: bytes, seconds: float = 5.0) -> bytes:
+    def request(self, data: bytes, seconds: float = 5.0) -> bytes:
         """Send bytes, let time pass, and return the received bytes."""
-        self.line.send(line)
+        self.line.send(data)
         self.line.advance(seconds)
         return self.line.receive()

@@ -95,9 +95,9 @@ def test_curve_has_gap_while_position_is_unknown(
     assert value_at("motor_0", T0 + 2.5) == degrees(100)
     assert math.isnan(value_at("motor_0", T0 + 4))
     playback.set_position(T0 + 4)
-    known = playback.state()
-    assert known.present == (None,) * 8
-    assert known.uncertain
+    state = playback.state()
+    assert state.present == (None,) * 8
+    assert state.uncertain
     assert value_at("motor_7", T0 + 6) == degrees(200)
     playback.close()
 
@@ -112,13 +112,13 @@ def test_stuck_motor_is_known_until_robot_replies(tmp_path: Path, qtbot: QtBot) 
         Moved(T0 + 9, (100,) * 8, (100,) * 3 + (-1,) * 5, 8.0),
     )
     playback.set_position(T0 + 6)
-    known = playback.state()
-    assert known.stuck is not None
-    assert known.stuck.motor == known.awaited_motor == 3
+    state = playback.state()
+    assert state.stuck is not None
+    assert state.stuck.motor == state.awaited_motor == 3
     playback.set_position(T0 + 9)
-    known = playback.state()
-    assert known.stuck is None
-    assert list(known.missed_goals) == [3, 4, 5, 6, 7]
+    state = playback.state()
+    assert state.stuck is None
+    assert list(state.missed_goals) == [3, 4, 5, 6, 7]
     playback.close()
 
 

@@ -146,7 +146,7 @@ def test_late_recording_starts_with_known_state(session: Session) -> None:
     assert speeds is not None
     session.recorder.start(session.path)
     session.wait(lambda: session.robot.state.moved is not None)
-    known = session.robot.state
+    state = session.robot.state
     first, second, third, *rest = without_markers(session.stop())
     assert isinstance(first, Progress)
     assert isinstance(second, SpeedsHeld)
@@ -155,7 +155,7 @@ def test_late_recording_starts_with_known_state(session: Session) -> None:
     assert replace(third, time=0, expected=0) == replace(moving, time=0, expected=0)
     assert third.expected <= moving.expected
     assert isinstance(rest[-1], Moved)
-    assert rest[-1].present == known.present
+    assert rest[-1].present == state.present
 
 
 def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: QtBot) -> None:
@@ -170,14 +170,14 @@ def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: Q
     last = playback.traces.samples(playback.start, playback.end)[0][-1]
     assert playback.end == last == ending.time
     playback.set_position(playback.end)
-    known, now = playback.state(), session.robot.state
-    assert known.present == now.present
-    assert known.goals == now.goals
-    assert known.speeds is not None
-    assert now.speeds is not None
-    assert known.speeds.held == now.speeds.held
-    assert known.moving is None
-    assert known.missed_goals == now.missed_goals
+    recorded, current = playback.state(), session.robot.state
+    assert recorded.present == current.present
+    assert recorded.goals == current.goals
+    assert recorded.speeds is not None
+    assert current.speeds is not None
+    assert recorded.speeds.held == current.speeds.held
+    assert recorded.moving is None
+    assert recorded.missed_goals == current.missed_goals
     playback.close()
 
 

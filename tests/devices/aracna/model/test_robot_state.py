@@ -18,26 +18,26 @@ THERE = Moved(13.0, GOALS, GOALS, 3.0)
 CONNECTED = Connected(1, 2)
 
 
-def known(*reports: object) -> RobotState:
-    found = RobotState(2)
+def state_after(*reports: object) -> RobotState:
+    state = RobotState(2)
     for report in reports:
-        found.update(report)
-    return found
+        state.update(report)
+    return state
 
 
 def test_new_robot_may_be_moving_for_unknown_time() -> None:
-    found = known(CONNECTED)
-    assert found.may_be_moving
-    assert found.moving_until is None
-    assert not found.uncertain, "nothing was sent"
+    state = state_after(CONNECTED)
+    assert state.may_be_moving
+    assert state.moving_until is None
+    assert not state.uncertain, "nothing was sent"
 
 
 def test_observed_motion_has_end_time_until_reply() -> None:
-    assert not known(CONNECTED, STARTED).may_be_moving
-    assert known(CONNECTED, STARTED).moving_until == 14.0
-    found = known(CONNECTED, STARTED, THERE)
-    assert not found.may_be_moving
-    assert found.moving_until is None
+    assert not state_after(CONNECTED, STARTED).may_be_moving
+    assert state_after(CONNECTED, STARTED).moving_until == 14.0
+    state = state_after(CONNECTED, STARTED, THERE)
+    assert not state.may_be_moving
+    assert state.moving_until is None
 
 
 @pytest.mark.parametrize(
@@ -53,18 +53,18 @@ def test_observed_motion_has_end_time_until_reply() -> None:
     ids=["restart", "reconnection", "silence", "reply to query", "lost reply", "stuck"],
 )
 def test_interrupted_motion_keeps_its_expected_end(end: tuple[object, ...]) -> None:
-    found = known(CONNECTED, STARTED, *end)
-    assert found.moving is None
-    assert found.stuck is None
-    assert found.moving_until == 14.0
-    assert found.may_be_moving
-    assert found.uncertain
+    state = state_after(CONNECTED, STARTED, *end)
+    assert state.moving is None
+    assert state.stuck is None
+    assert state.moving_until == 14.0
+    assert state.may_be_moving
+    assert state.uncertain
 
 
 def test_next_motion_replaces_interrupted_motion() -> None:
     interrupted = (CONNECTED, STARTED, Restarted(11.0, voided=True), CONNECTED)
     following = Moving(12.0, GOALS, (None, None), 7.0)
-    assert known(*interrupted, following).moving_until == 19.0
-    found = known(*interrupted, following, THERE)
-    assert found.moving_until is None
-    assert not found.may_be_moving
+    assert state_after(*interrupted, following).moving_until == 19.0
+    state = state_after(*interrupted, following, THERE)
+    assert state.moving_until is None
+    assert not state.may_be_moving

@@ -9,7 +9,7 @@ from trex_gui.devices.aracna.protocol.joints import clamp, factory_limits
 
 
 def gait(name: str) -> Gait:
-    return next(one for one in GAITS if one.name == name)
+    return next(gait for gait in GAITS if gait.name == name)
 
 
 @pytest.mark.parametrize(
@@ -30,7 +30,7 @@ def test_built_in_poses_repeat_joint_pair_within_limits(name: str, inner: int, o
 
 
 def test_every_built_in_pose_is_within_factory_limits() -> None:
-    for pose in (*BUILT_IN_POSES, *(pose for one in GAITS for pose in one.poses)):
+    for pose in (*BUILT_IN_POSES, *(pose for gait in GAITS for pose in gait.poses)):
         assert clamp(pose.positions, factory_limits()) == pose.positions, pose.name
 
 
@@ -63,7 +63,7 @@ def test_sine_gait_follows_sine_function() -> None:
 
 
 def test_every_gait_has_unique_name_text_and_eight_motors() -> None:
-    assert len({one.name for one in GAITS}) == len(GAITS)
-    for one in GAITS:
-        assert one.about.endswith(".")
-        assert all(len(pose.positions) == 8 for pose in one.poses)
+    assert len({gait.name for gait in GAITS}) == len(GAITS)
+    for gait in GAITS:
+        assert gait.about.endswith(".")
+        assert all(len(pose.positions) == 8 for pose in gait.poses)

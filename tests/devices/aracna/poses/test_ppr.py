@@ -174,7 +174,7 @@ def test_blanks_around_names_are_ignored() -> None:
 def test_pose_differing_only_in_blanks_is_renamed(lines: tuple[str, str]) -> None:
     project, findings = read_ppr(HEADER + "".join(lines) + "Seq=s: a|500\n")
     assert {pose.name: pose.positions[0] for pose in project.poses} == {"a": 1, "a 2": 2}
-    [finding] = [one for one in findings if "becomes a 2" in one.message]
+    [finding] = [each for each in findings if "becomes a 2" in each.message]
     assert finding.severity is Severity.WARNING
     assert finding.line == 2 + [" a " in line for line in lines].index(True)
     assert project.sequences[0].missing_poses(project.pose_names) == ()
@@ -213,7 +213,9 @@ def projects(draw: st.DrawFn) -> Project:
     return Project(
         draw(_NAMES.filter(lambda name: not name.startswith(("Pose=", "Seq=", "Nuke=")))),
         poses=tuple(poses),
-        sequences=tuple(draw(st.lists(sequences, unique_by=lambda one: one.name, max_size=3))),
+        sequences=tuple(
+            draw(st.lists(sequences, unique_by=lambda sequence: sequence.name, max_size=3))
+        ),
         line_end=draw(st.sampled_from(["\n", "\r\n", "\r"])),
     )
 
@@ -248,7 +250,7 @@ def test_sample_file_matches_pypose_format() -> None:
     text = resource("aracna/sample.ppr").read_text(encoding="utf-8")
     project, findings = read_ppr(text)
     assert findings == ()
-    assert [one.name for one in project.sequences] == ["stand up", "star 6", "push-ups"]
+    assert [sequence.name for sequence in project.sequences] == ["stand up", "star 6", "push-ups"]
     assert write_ppr(project) == text
 
 

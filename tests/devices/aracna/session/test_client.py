@@ -60,13 +60,14 @@ def test_only_queries_follow_late_move_until_it_is_answered() -> None:
     client = client_of(harness)
     client.move(THERE, 1.0)
     events = received(client, 30.0)
-    assert [type(one) for one in events if not isinstance(one, Progress)] == [Stuck]
+    assert [type(event) for event in events if not isinstance(event, Progress)] == [Stuck]
     assert client.awaited_motor == 1
     following = bytes(harness.transport.sent).partition(b"600\n")[2]
     assert following == b".q\n" * following.count(b".q\n")
     assert 1 < following.count(b".q\n") <= 2 + 29 / QUERY_RETRY
     harness.do("servo 1 free")
-    first, second = [one for one in received(client, 2.0) if not isinstance(one, Progress)]
+    events = received(client, 2.0)
+    first, second = [event for event in events if not isinstance(event, Progress)]
     assert isinstance(first, Answered)
     assert isinstance(first.reply, Positions)
     assert isinstance(second, Answered)
@@ -82,7 +83,7 @@ def test_line_is_busy_until_query_after_late_move_is_answered() -> None:
     received(client, 2.0)
     harness.do("servo 1 free")
     end = harness.now + 2
-    while not any(isinstance(one, Answered) for one in client.listen(0.001)):
+    while not any(isinstance(event, Answered) for event in client.listen(0.001)):
         assert harness.now < end
     with pytest.raises(BadRequest):
         client.move(THERE, 5.0)

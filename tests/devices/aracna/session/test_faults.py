@@ -234,7 +234,7 @@ def test_session_survives_noise_and_every_request_has_outcome(seed: int) -> None
         servo.speed = 500
     session.until(51.0).run()
     assert session.reports[-1].error is None  # type: ignore[union-attr]  # it is Closed
-    assert sorted(one.id for one in session.of(Outcome)) == [*range(20), 99]
+    assert sorted(outcome.id for outcome in session.of(Outcome)) == [*range(20), 99]
 
 
 def test_robot_muted_during_motion_is_reported_as_not_responding() -> None:

@@ -49,7 +49,7 @@ def positioned(positions: tuple[int, ...] = HERE, **options: Any) -> ScriptedSes
 
 
 def steps_of(session: ScriptedSession) -> list[tuple[str, int, int]]:
-    return [(one.part, one.index, one.round) for one in session.of(StepStarted)]
+    return [(started.part, started.index, started.round) for started in session.of(StepStarted)]
 
 
 # --- Timing ---------------------------------------------------------------------------------
@@ -69,8 +69,8 @@ def test_steps_start_on_schedule_and_end_in_time(
         abs(a - b) for a, b in zip([512, *positions], positions[: len(steps)], strict=False)
     ]
     reachable = all(  # `.v`, `.c` and their replies take less than 0.12 s of a step
-        travel_seconds(distance, MAX_EFFECTIVE_SPEED) < one.seconds * factor - 0.12
-        for distance, one in zip(distances, steps, strict=True)
+        travel_seconds(distance, MAX_EFFECTIVE_SPEED) < each.seconds * factor - 0.12
+        for distance, each in zip(distances, steps, strict=True)
     )
     session = positioned().at(1.0, Play(1, steps, time_scale=factor))
     session.until(4.0 + factor * sum(seconds)).run()
@@ -81,10 +81,10 @@ def test_steps_start_on_schedule_and_end_in_time(
     if not reachable:
         return
     due = started[0]
-    for one, start, end, lateness in zip(steps, started, moved, late, strict=True):
+    for each, start, end, lateness in zip(steps, started, moved, late, strict=True):
         assert start == pytest.approx(due, abs=0.03)
         assert lateness == pytest.approx(start - due, abs=1e-6)
-        due += one.seconds * factor
+        due += each.seconds * factor
         assert end <= due + 0.03
 
 
@@ -229,10 +229,10 @@ def test_blend_in_precedes_rounds_and_blend_out_follows(
     counts: tuple[int, int, int], rounds: int, end_after: int | None
 ) -> None:
     before, many, after = counts
-    one = step(5, 1.0)
+    each = step(5, 1.0)
     reports: list[Report] = []
     player = SequencePlayer(reports.append, ServoEstimates(8))
-    player.start(Play(1, (one,) * many, rounds, (one,) * before, (one,) * after), 0.0)
+    player.start(Play(1, (each,) * many, rounds, (each,) * before, (each,) * after), 0.0)
     expected = [("in", index, 0) for index in range(before)]
     expected += [("steps", index, turn) for turn in range(rounds) for index in range(many)]
     out = [("out", index, 0) for index in range(after)]

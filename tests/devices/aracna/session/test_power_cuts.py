@@ -91,7 +91,7 @@ def test_sequence_does_not_resume_when_power_returns() -> None:
     [ended] = session.of(PlayEnded)
     assert ended.ending is Ending.MISSED
     assert not [time for time in session.when(Moving) if time > 7.3]
-    [error] = [one.error for one in session.of(Outcome) if one.id == 2]
+    [error] = [outcome.error for outcome in session.of(Outcome) if outcome.id == 2]
     assert "from its goal 300" in str(error)
     assert "then play the sequence again" in str(error)
 

@@ -93,8 +93,7 @@ def test_move_reports_each_arrival_and_then_completion() -> None:
     [moved] = session.of(Moved)
     assert moved.present == (600,) * 8
     assert moved.seconds == pytest.approx(88 / 228, abs=0.06)
-    assert [(one.id, one.error) for one in session.of(Outcome)] == [(1, None), (2, None)]
-    assert session.of(Outcome)[1].value == moved
+    assert session.of(Outcome) == [Outcome(1, held), Outcome(2, moved)]
 
 
 def test_second_move_starts_from_known_positions() -> None:
@@ -157,7 +156,7 @@ def test_close_in_motion_ends_every_request_with_outcome() -> None:
         ScriptedSession().at(0.1, SetSpeeds(9, SLOW)).at(0.4, Move(1, THERE)).at(0.5, Move(2, HERE))
     )
     session.until(0.6).run()
-    assert {one.id for one in session.of(Outcome) if one.error} == {1, 2}
+    assert {outcome.id for outcome in session.of(Outcome) if outcome.error} == {1, 2}
     assert isinstance(session.reports[-1], Closed)
     assert session.reports[-1].error is None
 

@@ -366,7 +366,7 @@ def test_duplicated_gait_becomes_editable_sequence(driver: PosesPageDriver) -> N
     assert not driver.names("aracnaMotions").currentIndex().flags() & Qt.ItemFlag.ItemIsEditable
     assert not driver.steps.model().index(0, 2).flags() & Qt.ItemFlag.ItemIsEditable
     driver.click("aracnaDuplicateSequence")
-    assert [one.name for one in driver.library.project.sequences] == ["star 6"]
+    assert [sequence.name for sequence in driver.library.project.sequences] == ["star 6"]
     assert driver.button("aracnaAddStep").isEnabled()
     driver.library.undo.undo()
     assert not driver.library.modified
