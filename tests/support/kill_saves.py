@@ -2,7 +2,8 @@
 
 The content of a file follows from its version number. The program prints the number of each saved
 version. After the kill, the reader of TReX Studio must find the last saved version or the next
-version, complete. The program forks, so this does not run on Windows.
+version, complete. Only a recording may be cut, if its reader reports that. The program forks, so
+this does not run on Windows.
 
 `python -m tests.support.kill_saves` runs the program. For each line with kind, folder and version
 it forks a process that saves this version and all later versions. It prints the process number,
@@ -54,7 +55,7 @@ LINES = 3000  # of a transcript
 class Kind:
     """Functions that save a version of a file and find its version.
 
-    `find` returns 0 without a file, and fails if a file is incomplete.
+    `find` returns 0 without a file, and fails if a file is unexpectedly incomplete.
     """
 
     save: Callable[[Path, int], object]
