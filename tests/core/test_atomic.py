@@ -64,10 +64,10 @@ def test_pipe_device_or_folder_is_not_overwritten(tmp_path: Path) -> None:
 
 def test_old_draft_of_killed_program_is_removed(tmp_path: Path) -> None:
     abandoned, recent = (tmp_path / f".a.csv.0000000{n}.trexdraft" for n in (1, 2))
-    foreign = tmp_path / ".a.csv.tmp"
-    for path in (abandoned, recent, foreign):
+    log, foreign = tmp_path / f"{abandoned.name}-wal", tmp_path / ".a.csv.tmp"
+    for path in (abandoned, log, recent, foreign):
         path.write_bytes(b"half")
-    for path in (abandoned, foreign):
+    for path in (abandoned, log, foreign):
         os.utime(path, (0, 0))
     write_to(tmp_path / "b.csv")
     assert sorted(tmp_path.iterdir()) == sorted([recent, foreign, tmp_path / "b.csv"])

@@ -125,7 +125,7 @@ def _check_mode(path: Path, mode: int) -> None:
         raise NotOrdinaryFileError(path, mode)
 
 
-_DRAFT = re.compile(r"\..*\.[0-9a-f]{8}\.trexdraft", re.DOTALL)
+_DRAFT = re.compile(r"\..*\.[0-9a-f]{8}\.trexdraft(-wal)?", re.DOTALL)  # -wal: log of SQLite
 
 _ABANDONED_S = 600.0  # seconds; an older draft was left by a killed program
 

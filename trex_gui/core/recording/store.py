@@ -97,8 +97,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
                 with contextlib.closing(_connect(draft.name)) as database:
                     self._create(database, fmt, header)
                 # Otherwise SQLite would apply the log of an older recording to the new one.
-                for companion in _companions(Path(os.path.realpath(path))):
-                    companion.unlink(missing_ok=True)
+                _remove_companions(Path(os.path.realpath(path)))
             self._database = _connect(path)
             execute = self._database.execute
             try:
@@ -188,17 +187,36 @@ def _companions(path: Path) -> Iterator[Path]:
         yield path.with_name(path.name + suffix)
 
 
+def _remove_companions(path: Path) -> None:
+    for companion in _companions(path):
+        companion.unlink(missing_ok=True)
+
+
 def copy_recording(source: Path, path: Path) -> None:
-    """Copy a recording. Overwrites `path`. Raises RecordingError."""
+    """Copy a recording, including its log. Overwrites `path`. Raises RecordingError."""
     with reported(path, NOT_WRITTEN), open_ordinary(source) as original, atomic_file(path) as copy:
         shutil.copyfileobj(original, copy)
+        copy.close()
+        _add_log(Path(os.path.realpath(source)), Path(copy.name))
+        _remove_companions(Path(os.path.realpath(path)))
+
+
+def _add_log(source: Path, copy: Path) -> None:
+    """Add the records in the log of `source` to its copy."""
+    try:
+        with contextlib.suppress(FileNotFoundError):
+            shutil.copyfile(f"{source}-wal", f"{copy}-wal")
+            with contextlib.closing(_connect(copy)) as database:
+                database.execute("PRAGMA locking_mode = EXCLUSIVE")
+                database.execute("PRAGMA journal_mode = DELETE")
+    finally:
+        _remove_companions(copy)
 
 
 def remove_recording(path: Path) -> None:
     """Remove a recording and its SQLite companion files. Raises OSError."""
     path.unlink()
-    for companion in _companions(path):
-        companion.unlink(missing_ok=True)
+    _remove_companions(path)
 
 
 def _create_table(kind: SampleKind, start: float) -> str:

@@ -21,7 +21,7 @@ from tests.devices.trex.recording.samples import (
 )
 from tests.support.matrix import examples
 from trex_gui.core.recording.kinds import Marker, RecordingError
-from trex_gui.core.recording.store import CHUNK, RecordingWriter
+from trex_gui.core.recording.store import CHUNK, RecordingWriter, copy_recording
 from trex_gui.devices.trex.client.telemetry import Currents, ModeSample, Raw, Sample
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
 
@@ -191,6 +191,30 @@ def test_existing_recording_is_replaced_with_its_log(path: Path, tmp_path: Path)
     write(path, [Marker(1300.0, "note", "new")])
     assert read_file(path) == (HEADER, [Marker(1300.0, "note", "new")], [])
     assert [file.name for file in tmp_path.iterdir()] == ["a.trexrec"]
+
+
+def test_recording_is_copied_with_its_log(path: Path, tmp_path: Path) -> None:
+    records = list(drive_records(2))
+    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
+    writer.write(records)
+    writer.commit()
+    copy = tmp_path / "copy.trexrec"
+    copy_recording(files_after_crash(tmp_path, "a"), copy)
+    writer.close()
+    assert read_file(copy) == (HEADER, records, NOT_CLOSED)
+    assert [file.name for file in tmp_path.glob("*copy*")] == ["copy.trexrec"]
+
+
+def test_copy_replaces_a_recording_and_its_log(path: Path, tmp_path: Path) -> None:
+    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
+    writer.write(list(drive_records(2)))
+    writer.commit()
+    target = files_after_crash(tmp_path, "a")
+    writer.close()
+    new = [Marker(1300.0, "note", "new")]
+    write(path, new)
+    copy_recording(path, target)
+    assert read_file(target) == (HEADER, new, [])
 
 
 @pytest.mark.parametrize("name", ["/dev/full", "/dev/null"])
