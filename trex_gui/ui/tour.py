@@ -1,4 +1,4 @@
-"""Automatic screenshots of every page and dialog, in light and dark schemes."""
+"""Automatic screenshots of pages and dialogs, in light and dark schemes."""
 
 import sys
 from collections.abc import Callable, Iterator, Sequence
@@ -120,9 +120,12 @@ class Tour(QObject):
         widget = self._program.window.findChild(QWidget, name)
         return widget is not None and widget.isVisible()
 
-    def write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
+    def write(self, widget: QWidget, name: str, scheme: Scheme) -> bool:
+        """Write a picture. Return False if the file cannot be written."""
         for leds in widget.findChildren(Leds):
             leds.show_moment(0.0)  # the moment at which blinking LEDs are lit
         path = self._folder / f"{name}-{scheme}.png"
-        if widget.grab().save(str(path)):
+        is_saved = widget.grab().save(str(path))
+        if is_saved:
             sys.stdout.write(f"{path}\n")
+        return is_saved
