@@ -244,24 +244,36 @@ def test_inner_block_is_rejected_and_keeps_the_line_open(
 def test_invalid_values_are_rejected(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
+    def run() -> None:
+        with Trex(quick_simulator.url) as trex:
+            for attempt, words in (
+                (lambda: trex.drive(128), "not 128"),
+                (lambda: trex.drive(auxiliary=-1), "not -1"),
+                (lambda: trex.parameter("nosuch"), "nosuch"),
+                (lambda: trex.set_parameters(serial_timeout="13 s"), "13 s"),
+                (lambda: trex.calibration(9), "channel 9"),
+                (lambda: trex.set_calibration(1, Calibration(9, 5, 1, 0)), "channel 1"),
+            ):
+                with pytest.raises(BadRequest, match=words):
+                    attempt()
+            with pytest.raises(TypeError):
+                trex.drive(2.5)  # type: ignore[arg-type]
+
+    Program(virtual_time, run).end()
+    assert motor(quick_simulator) == ("brake", 0), "no motor command was sent"
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
+
+
+def test_board_in_rc_mode_is_neither_driven_nor_written(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
 
     def run() -> None:
         with Trex(quick_simulator.url) as trex:
-            for attempt in (
-                lambda: trex.drive(80),
-                lambda: trex.drive(128),
-                lambda: trex.drive(auxiliary=-1),
-                lambda: trex.parameter("nosuch"),
-                lambda: trex.set_parameters(serial_timeout="13 s"),
-                lambda: trex.calibration(9),
-                lambda: trex.set_calibration(1, Calibration(9, 5, 1, 0)),
-            ):
-                with pytest.raises(BadRequest):
-                    attempt()
-            with pytest.raises(TypeError):
-                trex.drive(2.5)  # type: ignore[arg-type]
+            with pytest.raises(BadRequest, match="RC channels"):
+                trex.drive(80)
             with pytest.raises(StudioError, match="not in serial mode"):
                 trex.set_parameters(serial_timeout=5)
 
@@ -280,7 +292,10 @@ def test_missing_board_is_explained(
 
     with pytest.raises(NoReply, match="No TReX responds"):
         Program(virtual_time, run).end()
-    with pytest.raises(BadRequest):
+
+
+def test_invalid_line_settings_are_rejected() -> None:
+    with pytest.raises(BadRequest, match="not 1"):
         Trex("port", baud=1)
     with pytest.raises(BadRequest, match="detection"):
         Trex("port", detection="crc8")  # type: ignore[arg-type]
