@@ -62,8 +62,6 @@ class ServerProcess:
         command += ["--name", "arm", "--listen", f"127.0.0.1:{self.address.port}", *options]
         command += ["--timeout", str(PATIENT.extra)]  # for late replies
         self.process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
-        assert self.process.stderr is not None
-        assert "Serving" in self.process.stderr.readline()
 
     def url(self, user: str = "") -> str:
         return Address("127.0.0.1", "arm", user, self.address.port).url
@@ -91,13 +89,13 @@ def _free_port() -> int:
 @contextmanager
 def served(simulator: SimulatedDevice, *options: str) -> Iterator[ServerProcess]:
     server = ServerProcess(simulator, *options)
-    try:
-        yield server
-    finally:
-        server.process.kill()
-        server.process.wait()
-        assert server.process.stderr is not None
-        server.process.stderr.close()
+    with server.process as process:
+        assert process.stderr is not None
+        try:
+            assert "Serving" in process.stderr.readline()
+            yield server
+        finally:
+            process.kill()
 
 
 class Cable:

@@ -14,6 +14,7 @@ from trex_gui.devices.trex.simulator.channels import Channels, Signal, SignalKin
 from trex_gui.devices.trex.simulator.command import demonstrate
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
+from trex_gui.devices.trex.simulator.physics import CONSTANTS
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
 PERIOD = 8
@@ -267,4 +268,5 @@ def test_demo_moves_voltages_in_analog_mode() -> None:
 
 
 def test_demo_puts_light_load_on_motors() -> None:
-    assert all(physics.load > 1 for physics in demo_line().boards[0].physics)
+    light_load = CONSTANTS["trex"].light_load
+    assert [physics.load for physics in demo_line().boards[0].physics] == [light_load] * 2
