@@ -7,7 +7,7 @@ the type of each field. It accepts only message types that are listed in this mo
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from enum import Enum, IntEnum, StrEnum
+from enum import IntEnum, StrEnum
 from functools import cache
 from typing import Any, get_args
 
@@ -44,7 +44,7 @@ from trex_gui.devices.trex.protocol.errors import (
     TrexNoReplyError,
     TrexRequestError,
 )
-from trex_gui.devices.trex.protocol.flags import Status, UartError, seven_bits
+from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError, seven_bits
 from trex_gui.devices.trex.protocol.framing import Malformed
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
@@ -52,6 +52,7 @@ from trex_gui.devices.trex.session.messages import (
     BoardReport,
     BoardRequest,
     ProbeProgress,
+    ReadReason,
     ToBoard,
     Written,
 )
@@ -190,12 +191,12 @@ def _codec() -> cattrs.Converter:
     codec = make_converter(forbid_extra_keys=True, detailed_validation=False)
     for kind in (int, float, str, bytes, bool):
         codec.register_structure_hook(kind, _strict(kind))
-    for base, plain in ((IntEnum, int), (StrEnum, str)):  # instead of the `int` and `str` hooks
+    # Instead of the `int` and `str` hooks
+    for base, plain in ((IntEnum, int), (StrEnum, str), (Status, int), (UartError, int)):
         codec.register_structure_hook(base, _member_hook(plain))
-    codec.register_unstructure_hook_func(_is_encoded_by_name, lambda code: code.name)
-    codec.register_structure_hook_func(_is_encoded_by_name, lambda name, kind: kind[name])
-    for flags in (Status, UartError):
-        codec.register_structure_hook(flags, lambda bits, kind: kind(_strict(int)(bits, int)))
+    for enum in (ErrorCode, ReadReason, Mode):
+        codec.register_unstructure_hook(enum, lambda member: member.name)
+        codec.register_structure_hook(enum, lambda name, kind: kind[name])
     codec.register_unstructure_hook(Model, lambda model: model.key)
     codec.register_structure_hook(Model, lambda key, _: device_table().model(key))
     codec.register_unstructure_hook(LineSettings, lambda line: line.to_wire())
@@ -236,13 +237,6 @@ def _strict(kind: type) -> Callable[[Any, Any], Any]:
 
 def _member_hook(plain: type) -> Callable[[Any, Any], Any]:
     return lambda value, kind: kind(_strict(plain)(value, plain))
-
-
-def _is_encoded_by_name(kind: Any) -> bool:
-    return isinstance(kind, type) and issubclass(kind, Enum) and kind.__name__ in _NAMED_ENUMS
-
-
-_NAMED_ENUMS = {"ErrorCode", "ReadReason", "Mode"}  # enums that are encoded by member name
 
 
 def _decode_traffic_event(time: float, direction: str, data: bytes, text: str) -> TrafficEvent:

@@ -107,6 +107,7 @@ class RemoteSession:
     ) -> None:
         self._settings, self._inbox, self._emit = settings, inbox, emit
         self._clock = clock
+        self._link: ClientLink | None = None
         self._may_move = may_move
         self._received: deque[tuple[float, bytes]] = deque()
         self._counter = count(1)
@@ -139,8 +140,6 @@ class RemoteSession:
         self._emit(self._closed or Closed(error, self._may_move))
 
     # --- Opening and closing ------------------------------------------------------------
-
-    _link: ClientLink | None = None
 
     def _open(self) -> None:
         address = Address.of(self._settings.url)

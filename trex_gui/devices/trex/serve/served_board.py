@@ -113,6 +113,8 @@ class ServedBoard:
         self._present: set[Party] = set()  # connected clients
         self._outboxes: dict[Party, _Outbox] = {}
         self._is_ending = False
+        self._is_open = False  # True while a session serves the line
+        self._last = Closed(None)  # last report of the last session
         self._closed = threading.Event()
         with tempfile.TemporaryDirectory(prefix="trex-serve-") as folder:
             self._network = open_server(name, listen, users, Path(folder), tls=tls)
@@ -184,9 +186,6 @@ class ServedBoard:
         return seconds
 
     # --- The session --------------------------------------------------------------------
-
-    _last = Closed(None)
-    _is_open = False
 
     def _put(self, request: object) -> None:
         if isinstance(request, SetReconnectCandidates):  # clients use another URL for the line
