@@ -33,6 +33,7 @@ from trex_gui.devices.trex.session.messages import (
     LeaseChanged,
     NotResponding,
     OfBoard,
+    ReadReason,
     Report,
     ToBoard,
 )
@@ -247,7 +248,9 @@ class OpenBoard:
             case Connected(may_move=False) | MotorsStopped(confirmed=True):
                 self.driven.clear()
         match report:
-            case Connected(may_move=may_move) if self.session.is_armed:
+            case Connected(occasion=occasion, may_move=may_move) if (
+                self.session.is_armed and occasion is not ReadReason.RELOADED
+            ):
                 end = _UNCONFIRMED if may_move else _STOPPED
                 self._fail(f"The board was restarted, or a setting was changed. {end}")
             case NotResponding(reason=reason):

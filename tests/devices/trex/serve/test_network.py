@@ -293,6 +293,21 @@ def test_returned_board_is_served_again(server: ServerProcess) -> None:
         assert trex.status().product == "TReX"
 
 
+def test_lost_line_is_opened_again_at_the_newest_settings(start_simulator: StartSimulator) -> None:
+    simulator = start_simulator()
+    with served(simulator, "--protocol", "expanded", "--device", "7") as server:
+        server.wait_for_board()
+        with Trex(server.url()) as trex:
+            trex.set_parameters(device_number=9)
+        simulator.do("line unplug")
+        assert server.process.stderr is not None
+        assert any("is gone" in line for line in server.process.stderr)
+        simulator.do("line plug")
+        server.wait_for_board()
+        with Trex(server.url()) as trex:
+            assert trex.parameter("device_number") == 9
+
+
 def test_stop_by_name_is_confirmed_for_each_robot(
     server: ServerProcess, monkeypatch: pytest.MonkeyPatch
 ) -> None:

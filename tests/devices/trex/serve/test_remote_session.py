@@ -5,14 +5,23 @@ from collections.abc import Callable, Iterable
 
 import pytest
 
+from tests.devices.trex.serve.test_server import CONNECTED
 from trex_gui.core.session import Close, Outcome
-from trex_gui.devices.trex.driving.requests import Arm, Stop
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, Stop
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.serve import remote_session
 from trex_gui.devices.trex.serve.lease import Party, Role
 from trex_gui.devices.trex.serve.remote_session import RemoteSession
 from trex_gui.devices.trex.serve.server import BoardServer
-from trex_gui.devices.trex.session.messages import AskLease, Report, Request
+from trex_gui.devices.trex.session.messages import (
+    AskLease,
+    Connected,
+    Report,
+    Request,
+    SetReconnectCandidates,
+    SetWatched,
+    Write,
+)
 
 _REPLY_S = 0.05  # seconds until the board confirms a stop
 _CLIENT = Party("1", "local", Role.OWN)
@@ -24,7 +33,7 @@ class Network:
     """Server of a board, with the link and the inbox of its client.
 
     Attributes:
-        requests: time and type of each stop or arming that the board received.
+        requests: time and type of each request that the board received.
     """
 
     def __init__(self) -> None:
@@ -32,16 +41,17 @@ class Network:
         self._now = 0.0
         self._is_cut = False
         self._server = BoardServer("arm", self._handle, self._send, self._clock)
+        self._server.report(CONNECTED)
         self._outcomes: deque[tuple[float, Outcome]] = deque()
         self._script: deque[Step] = deque()
         self._receive: Callable[[bytes], None] | None = None
 
-    def run(self, script: Iterable[Step]) -> list[Report]:
+    def run(self, script: Iterable[Step], *, may_move: bool = False) -> list[Report]:
         """Run a session until the script closes it. Return its reports."""
         reports: list[Report] = []
         self._script.extend(script)
         settings = ConnectionSettings("trex://127.0.0.1/arm")
-        RemoteSession(settings, self, reports.append, self._clock).run()
+        RemoteSession(settings, self, reports.append, self._clock, may_move=may_move).run()
         return reports
 
     def connect(self, _address: object, receive: Callable[[bytes], None]) -> "Network":
@@ -79,7 +89,7 @@ class Network:
     def _handle(self, request: object) -> None:
         if isinstance(request, Stop):
             self._outcomes.append((self._now + _REPLY_S, Outcome(request.id)))
-        if isinstance(request, Stop | Arm):
+        if not isinstance(request, SetWatched | Heartbeat):
             self.requests.append((self._now, type(request)))
 
 
@@ -120,7 +130,7 @@ def test_slow_stop_has_one_outcome(network: Network, monkeypatch: pytest.MonkeyP
     assert len(network.requests) == 1
 
 
-def test_lost_stop_is_not_repeated_after_arming(network: Network) -> None:
+def test_lost_stop_is_sent_before_arming_and_not_after(network: Network) -> None:
     script: list[Step] = [
         (0.5, AskLease()),
         (1.0, False),
@@ -129,4 +139,27 @@ def test_lost_stop_is_not_repeated_after_arming(network: Network) -> None:
         (1.1, Arm()),
     ]
     network.run([*script, (3.0, Close())])
-    assert [kind for time, kind in network.requests if time < 3.0] == [Arm]
+    assert [kind for time, kind in network.requests if time < 3.0] == [Stop, Arm]
+
+
+def test_motors_of_an_earlier_session_are_stopped_first(network: Network) -> None:
+    reports = network.run([(1.0, Close())], may_move=True)
+    assert [kind for _, kind in network.requests] == [Stop]
+    states = [report for report in reports if isinstance(report, Connected | MotorsStopped)]
+    assert [state.may_move for state in states if isinstance(state, Connected)] == [True]
+    assert states[-1] == MotorsStopped(None, confirmed=True)
+
+
+def test_stop_leaves_a_write_that_waits_for_the_lease(network: Network) -> None:
+    write, candidates = Write(3, (("serial_timeout", 5),)), SetReconnectCandidates(())
+    script: list[Step] = [(1.0, False), (1.0, candidates), (1.0, write), (1.0, Arm())]
+    script += [(1.0, Stop(4)), (1.1, True), (1.5, AskLease()), (2.0, Close())]
+    network.run(script)
+    requests = [kind for _, kind in network.requests]
+    assert requests[:3] == [Stop, SetReconnectCandidates, Write]
+    assert Arm not in requests
+
+
+def test_request_that_waits_for_the_lease_ends_with_the_session(network: Network) -> None:
+    script: list[Step] = [(1.0, False), (1.0, Write(3, ())), (1.0, Close())]
+    assert outcomes(network.run(script)) == [3]

@@ -59,6 +59,7 @@ from trex_gui.devices.trex.session.messages import (
     Request,
     SelectBoard,
     SendPacket,
+    SetReconnectCandidates,
     SetWatched,
     Traffic,
     Write,
@@ -80,6 +81,7 @@ _REPLY_TIMEOUT = 3.0  # seconds until the server replies to a `Hello` or a lease
 _STOP_TIMEOUT = 1.0  # seconds until the last stop is confirmed
 _STOP_INTERVAL = 0.25  # seconds until an unconfirmed stop is repeated
 _LAST_STOP_ID = -2  # id of the stop that precedes `Leave`
+_FIRST_STOP_ID = -3  # id of the stop after `Welcome` if motors may still be moving
 _DELAY_INTERVAL = 1.0  # seconds between two reports of the network delay
 
 
@@ -119,6 +121,7 @@ class RemoteSession:
         self._welcome: Welcome | None = None
         self._lease = LeaseChanged()
         self._waiting: _WaitingRequests | None = None
+        self._candidates: SetReconnectCandidates | None = None  # sent before the next `Write`
         self._board: Connected | None = None
         self._is_silent = False
         self._has_armed = False  # True from arming by this client until the next stop
@@ -135,7 +138,9 @@ class RemoteSession:
             self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
         )
         self._close()
-        for number in self._unanswered - {_LAST_STOP_ID}:
+        if self._waiting is not None:
+            self._unanswered |= {getattr(inner_request(r), "id", 0) for r in self._waiting.requests}
+        for number in self._unanswered - {0, _FIRST_STOP_ID, _LAST_STOP_ID}:
             self._emit(Outcome(number, error=error or NoReply(self._lost_text)))
         self._emit(self._closed or Closed(error, self._may_move))
 
@@ -228,7 +233,7 @@ class RemoteSession:
                 if self._welcome is not None:
                     self._send(watched)
             case Stop():
-                self._waiting = None
+                self._drop_waiting_commands()
                 self._forward(request)
             case SendPacket(packet=RawPacket(is_query=True)):
                 self._forward(request)
@@ -236,10 +241,15 @@ class RemoteSession:
                 self._forward(request)
             case SetMotor() | SetMotors() | SetAuxiliary() if self._waiting is not None:
                 self._waiting.requests.append(request)  # sent after a waiting `Arm`
-            case Arm() | Write() | SelectBoard() | ProbeNumber() | Reload() | SendPacket():
+            case SetReconnectCandidates() as candidates:
+                self._candidates = candidates
+            case Arm() | Write() | SelectBoard() | ProbeNumber() | Reload() | SendPacket() as inner:
                 if self._waiting is None:
                     self._waiting = _WaitingRequests([], self._clock() + _REPLY_TIMEOUT)
                     self._send(AskLease())
+                if isinstance(inner, Write) and self._candidates is not None:
+                    self._waiting.requests.append(self._candidates)
+                    self._candidates = None
                 self._waiting.requests.append(request)
 
     def _forward(self, request: Request) -> None:
@@ -252,11 +262,29 @@ class RemoteSession:
             self._stop_at = self._clock() + _STOP_INTERVAL
         elif isinstance(inner, Arm):
             self._has_armed = True
-            self._stops.clear()  # a repeated stop would stop the armed motors
+            for stop in self._stops.values():  # in case they were lost
+                self._send(stop)
+            self._stops.clear()  # a stop that is repeated later would stop the armed motors
         if (number := getattr(inner, "id", None)) is not None:
             self._unanswered.add(number)
         self._may_move = self._may_move or isinstance(inner, SetpointRequest)
         self._send(request)
+
+    def _drop_waiting_commands(self) -> None:
+        """Drop arming and motor commands that wait for the lease. A stop precedes them."""
+        if self._waiting is None:
+            return
+        remaining: list[Request] = []
+        for request in self._waiting.requests:
+            match inner_request(request):
+                case Arm() | SetMotor() | SetMotors() | SetAuxiliary():
+                    pass
+                case SendPacket(id=number, packet=packet) if packet.moves:
+                    error = TrexRequestError(ErrorCode.OVERTAKEN_BY_STOP)
+                    self._emit(Outcome(number, error=error))
+                case _:
+                    remaining.append(request)
+        self._waiting.requests[:] = remaining
 
     def _reject_waiting(self) -> None:
         waiting, self._waiting = self._waiting, None
@@ -304,6 +332,8 @@ class RemoteSession:
             case Welcome():
                 self._welcome = report
                 self._send(self._watched)
+                if self._may_move:
+                    self._forward(Stop(_FIRST_STOP_ID))
             case Refused(reason=reason):
                 raise PortUnavailable(reason)
             case Tick():
@@ -329,15 +359,15 @@ class RemoteSession:
             case OfBoard(number=number, report=inner):
                 self._emit_local(inner, number)
             case Outcome(id=number) if number in self._unanswered:
-                report = self._local_outcome(report, board)
-                if number != _LAST_STOP_ID:
-                    emit(report)
+                if (local := self._local_outcome(report, board)) is not None:
+                    emit(local)
             case Connected():
-                report = replace(report, settings=self._local_settings(report.settings))
+                has_more = bool(report.settings.group or self._stops)  # boards or stops
+                self._may_move = report.may_move or (self._may_move and has_more)
+                settings = self._local_settings(report.settings)
+                report = replace(report, settings=settings, may_move=self._may_move)
                 if board is None:
                     self._board = report
-                is_alone = not report.settings.group
-                self._may_move = report.may_move or (self._may_move and not is_alone)
                 emit(report)
             case Batch():
                 self._counters = report.counters
@@ -362,10 +392,14 @@ class RemoteSession:
             case _:
                 emit(report)
 
-    def _local_outcome(self, outcome: Outcome, board: int | None) -> Outcome:
+    def _local_outcome(self, outcome: Outcome, board: int | None) -> BoardReport | None:
+        """Return the report for this computer. The stops of the session itself have no outcome."""
         self._unanswered.discard(outcome.id)
-        if self._stops.pop(outcome.id, None) and outcome.error is None:
+        confirmed = self._stops.pop(outcome.id, None) is not None and outcome.error is None
+        if confirmed:
             self._may_move = False
+        if outcome.id in {_FIRST_STOP_ID, _LAST_STOP_ID}:
+            return MotorsStopped(None, confirmed=True) if confirmed else None
         if not isinstance(written := outcome.value, Written):
             return outcome
         written = replace(written, settings=self._local_settings(written.settings))

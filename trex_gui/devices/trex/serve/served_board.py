@@ -31,7 +31,9 @@ from trex_gui.devices.trex.session.messages import (
     OfBoard,
     Report,
     SetReconnectCandidates,
+    SetWatched,
     Traffic,
+    Written,
 )
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.settings.board_records import utc_now
@@ -148,7 +150,13 @@ class ServedBoard:
             open_transport = logged(
                 self._record_traffic, self._computer.open_transport, self._computer.clock
             )
-            session = TrexSession(self._settings, self._inbox, self._report, open_transport)
+            session = TrexSession(
+                self._settings,
+                self._inbox,
+                self._report,
+                open_transport,
+                may_move=self._last.may_move,
+            )
             self._is_open = True
             join = self._computer.start_thread(session.run)
             while not self._closed.is_set():
@@ -158,6 +166,7 @@ class ServedBoard:
                     self._inbox.put(Close())
             join()
             self._is_open = False
+            self._inbox = RequestQueue(self._computer.condition())  # drops late setpoints
             last = self._last
             self.server.end(last.error, may_move=last.may_move)
             error = "" if last.error is None else str(last.error)
@@ -188,11 +197,14 @@ class ServedBoard:
     # --- The session --------------------------------------------------------------------
 
     def _put(self, request: object) -> None:
+        inbox = self._inbox  # before the check, so that a closed session's requests are dropped
+        if not self._is_open and not isinstance(request, SetWatched):
+            return
         if isinstance(request, SetReconnectCandidates):  # clients use another URL for the line
             url, name = self._settings.url, self._settings.name
             local = (replace(settings, url=url, name=name) for settings in request.settings)
             request = SetReconnectCandidates(tuple(local))
-        self._inbox.put(request)
+        inbox.put(request)
 
     def _report(self, report: Report) -> None:
         """Handle a report of the session, in the thread of the session."""
@@ -207,6 +219,9 @@ class ServedBoard:
         for event in self._board.handle(report, self._computer.clock(), utc_now()):
             if isinstance(event, Sample):
                 self._publish(event)
+        match report:  # a lost line is opened again with the newest settings
+            case Connected(settings=settings) | Outcome(value=Written(settings=settings)):
+                self._settings = settings
         if isinstance(report, Connected):
             unit = report.state.signature.model.current_unit
             self._table = MeasurementTable(report.state.mode, unit)
@@ -279,7 +294,7 @@ class ServedBoard:
         def reply_later(outcome: Outcome) -> None:  # the session must not wait for a client
             threading.Thread(target=reply, args=(outcome,), daemon=True).start()
 
-        if self.server.exceeds_limit(str(query.key_expr).rpartition("/")[2]):
+        if self.server.exceeds_limit(str(query.key_expr).rpartition("/")[2], is_stop=True):
             return
         if self._is_open:
             self.server.stop(reply_later)

@@ -123,7 +123,8 @@ class BoardServer:
         # Request id → waiting clients, each with the id of its own request
         self._outcomes: dict[int, list[tuple[Party, int]]] = {}
         self._pending_stop = 0  # id of the last stop; 0 after a request that may move a motor
-        self._rates: dict[str, tuple[int, int]] = {}  # user → (second, requests in this second)
+        # User, and whether the requests are stops → (second, requests in this second)
+        self._rates: dict[tuple[str, bool], tuple[int, int]] = {}
         # Board (`None` for the first) → type of report → newest report, for new clients
         self._newest: dict[int | None, dict[type, BoardReport]] = {None: {}}
         self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # stop id → callback
@@ -155,14 +156,14 @@ class BoardServer:
         if len(data) > MAX_REQUEST_SIZE:
             self._refuse("too large")
             return
-        if self.exceeds_limit(party.user):
-            self._refuse("too many")
-            return
         try:
             (counter, seen, sent), request = decode_request(data, 3)
         except BadRequest as error:
             log.debug("refused a message from %s: %s", party.user, error)
             self._refuse("malformed")
+            return
+        if self.exceeds_limit(party.user, is_stop=isinstance(request, Stop)):
+            self._refuse("too many")
             return
         with self._lock:
             now = self._clock()
@@ -212,13 +213,16 @@ class BoardServer:
     def users(self) -> tuple[str, ...]:
         return tuple(client.party.user for client in self._all_clients)
 
-    def exceeds_limit(self, user: str) -> bool:
-        """Count a request of the user. Return whether the user has exceeded `MAX_REQUESTS`."""
+    def exceeds_limit(self, user: str, *, is_stop: bool) -> bool:
+        """Count a request of the user. Return whether the user has exceeded `MAX_REQUESTS`.
+
+        Stops are counted separately, because several programs may have the same user.
+        """
         with self._lock:
-            now = int(self._clock())
-            second, count = self._rates.get(user, (now, 0))
+            now, kind = int(self._clock()), (user, is_stop)
+            second, count = self._rates.get(kind, (now, 0))
             count = count + 1 if second == now else 1
-            self._rates[user] = now, count
+            self._rates[kind] = now, count
             return count > MAX_REQUESTS
 
     def _refuse(self, reason: str) -> None:
