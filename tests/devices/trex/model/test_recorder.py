@@ -268,6 +268,21 @@ def test_seconds_around_a_stop_are_recorded(
     assert file.header.clock == first.time
     assert "serial_timeout:" in file.header.settings
     file.close()
+    motors.press_stop()  # no motor was driven since the last stop
+    session.pass_time(1)
+    assert not automatic.recorder.recording
+
+
+def test_repeated_faults_do_not_extend_a_recording_without_limit(
+    session: RecorderSetup, automatic: AutomaticRecordings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(recorder, "_MAX_LENGTH", 2.0)
+    session.pass_time(2)
+    start = now()
+    for _ in range(6):
+        session.device.events.add(EventKind.FAULT, "Motor 1 fault", is_problem=True)
+        session.pass_time(1)
+    assert records_of(automatic.files[0])[-1].time < start + 5
 
 
 def test_stop_is_not_recorded_during_a_recording_or_if_off(

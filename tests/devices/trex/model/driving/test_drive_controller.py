@@ -254,6 +254,15 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
     assert failures == []
 
 
+def test_motor_driven_again_before_the_confirmation_may_move(driven: DrivenDevice) -> None:
+    outcomes: list[StudioError | None] = []
+    driven.driving.stop(outcomes.append)
+    driven.motors.arm()
+    driven.motors.set_speed(1, 40)
+    driven.wait(lambda: outcomes == [None])
+    assert driven.may_move
+
+
 def test_stop_warns_that_the_channels_may_go_on_driving(rc_device: Device, qtbot: QtBot) -> None:
     with qtbot.waitSignal(rc_device.notifier.error) as error:
         rc_device.motors.stop()
