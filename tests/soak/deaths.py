@@ -134,7 +134,7 @@ def die(cause: str, program: str) -> str:
     with tempfile.TemporaryDirectory(prefix="trex-deaths") as folder:
         try:
             return _die(cause, program, board, Path(folder))
-        except (TimeoutError, OSError) as error:
+        except (OSError, subprocess.TimeoutExpired) as error:
             return f"failed: {error}"
         finally:
             for number in _STARTED:

@@ -2,7 +2,7 @@
 
     python -m tests.soak.drives [DRIVES]    prints the time in which motors turned against commands
 
-The soak test also counts false reports of a board restart.
+The soak test also counts unrequested stops.
 """
 
 import random

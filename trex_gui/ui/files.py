@@ -29,7 +29,8 @@ background: "set[_Job[Any]]" = set()  # running jobs; the process must not exit 
 def end_background(timeout_ms: int) -> bool:
     """End all background jobs. Return whether they ended in time.
 
-    A job that saves a file is cancelled after `timeout_ms`. Any other job is cancelled at once.
+    A job with `saves` is cancelled after `timeout_ms`, any other job at once. A job that reports no
+    progress runs to its end.
     """
     jobs, deadline = tuple(background), now() + timeout_ms / 1000
     for job in jobs:

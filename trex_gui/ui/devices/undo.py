@@ -1,4 +1,4 @@
-"""Undo commands for edits. Only these commands change pending values.
+"""Undo commands for edits.
 
 A change that the device reports is not an edit. A command stores the previous value. Therefore,
 undoing an applied edit makes the previous value a new edit.

@@ -188,16 +188,13 @@ class TrafficTable(QAbstractTableModel):
         return None
 
     def text(self, row: Transaction, column: int) -> str:
-        match column:
-            case 0:  # TIME
-                moment = datetime.fromtimestamp(self._traffic.wall_time(row)).astimezone()
-                return moment.time().isoformat("milliseconds")
-            case 1:  # SENT
-                return self._decoder.display_text(row.sent)
-            case 2:  # RECEIVED
-                return self._decoder.display_text(row.received)
-            case 3:  # TOOK
-                return "" if row.seconds is None else f"{Number(row.seconds * 1e3):.1f}"
+        if column == TIME:
+            moment = datetime.fromtimestamp(self._traffic.wall_time(row)).astimezone()
+            return moment.time().isoformat("milliseconds")
+        if column in {SENT, RECEIVED}:
+            return self._decoder.display_text(row.sent if column == SENT else row.received)
+        if column == TOOK:
+            return "" if row.seconds is None else f"{Number(row.seconds * 1e3):.1f}"
         return self._decoder.decoded(row).text
 
     def _font(self, row: Transaction, column: int) -> QFont | None:
