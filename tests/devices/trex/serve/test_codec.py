@@ -186,6 +186,14 @@ def test_message_of_another_structure_is_rejected(body: object) -> None:
         codec.decode_request(msgpack.encode([1, 2.0, 3.0, body]), 3)
 
 
+@pytest.mark.parametrize(
+    "event", [["1.5", "SENT", b"", ""], [1.5, "SENT", 5, ""], [1.5, "SENT", b"", 5]]
+)
+def test_traffic_of_other_types_is_rejected(event: list[object]) -> None:
+    with pytest.raises(BadRequest):
+        codec.decode_report(msgpack.encode([{"_type": "Traffic", "events": [event]}]), 0)
+
+
 @pytest.mark.parametrize("head", [[1, 2.0], [1, 2.0, float("nan")], [1, 2.0, "3"], [1, 2.0, True]])
 def test_header_without_finite_numbers_is_rejected(head: list[object]) -> None:
     with pytest.raises(BadRequest):

@@ -239,12 +239,15 @@ def _member_hook(plain: type) -> Callable[[Any, Any], Any]:
     return lambda value, kind: kind(_strict(plain)(value, plain))
 
 
-def _decode_traffic_event(time: float, direction: str, data: bytes, text: str) -> TrafficEvent:
-    return TrafficEvent(float(time), TrafficDirection[direction], bytes(data), str(text))
+def _decode_traffic_event(time: Any, direction: str, data: Any, text: Any) -> TrafficEvent:
+    values = zip((time, data, text), (float, bytes, str), strict=True)
+    time, data, text = (_strict(kind)(value, kind) for value, kind in values)
+    return TrafficEvent(time, TrafficDirection[direction], data, text)
 
 
-def _decode_settings(url: str, name: str, packed: str, *group: object) -> ConnectionSettings:
-    numbers = tuple(seven_bits(_strict(int)(number, int), "device number") for number in group)
+def _decode_settings(*parts: Any) -> ConnectionSettings:
+    url, name, packed = (_strict(str)(text, str) for text in parts[:3])
+    numbers = tuple(seven_bits(_strict(int)(number, int), "device number") for number in parts[3:])
     return replace(ConnectionSettings(url, name=name).unpacked(packed), group=numbers)
 
 
