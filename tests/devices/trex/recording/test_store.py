@@ -211,7 +211,7 @@ def test_copy_replaces_a_recording_and_its_log(path: Path, tmp_path: Path) -> No
     writer.commit()
     target = files_after_crash(tmp_path, "a")
     writer.close()
-    new = [Marker(1300.0, "note", "new")]
+    new: list[Record] = [Marker(1300.0, "note", "new")]
     write(path, new)
     copy_recording(path, target)
     assert read_file(target) == (HEADER, new, [])
