@@ -17,6 +17,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
 from trex_gui.devices.trex.settings.board_records import BoardRecords, utc_now
 from trex_gui.devices.trex.settings.document import settings_of
+from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 SIGNATURE = Signature(device_table().model("trex"), "1.2")
 STATE = DeviceState(
@@ -27,6 +28,7 @@ STATE = DeviceState(
     dict.fromkeys(range(1, 6), DEFAULT_CALIBRATION[InputSource.RC]),
     calibrated=0,
 )
+BOARD = BoardIdentity.of(settings_of(STATE))
 CONNECTION = ConnectionSettings("/dev/ttyUSB0")
 
 
@@ -89,6 +91,19 @@ def test_record_of_another_board_with_the_number_is_set_aside() -> None:
     assert f"is in {replaced}." in keeper.messages[-1]
     assert "device_number: 9" in record.read_text("utf-8")
     assert not (BoardRecords().folder / "trex-1.2-7.txt").exists()
+
+
+def test_keepers_of_one_board_retain_the_notes_of_each_other() -> None:
+    keepers = RecordingKeeper(), RecordingKeeper()
+    for keeper, key in zip(keepers, ("serial_timeout", "motor_mode"), strict=True):
+        keeper.memory.set_notes({key: "a note"})
+    record = BoardRecords().load(BOARD)
+    assert record is not None
+    assert record.settings.notes.keys() == {"serial_timeout", "motor_mode"}
+    RecordingKeeper().memory.set_notes({})
+    record = BoardRecords().load(BOARD)
+    assert record is not None
+    assert not record.settings.notes, "the notes were removed"
 
 
 def test_failed_save_is_reported_once() -> None:

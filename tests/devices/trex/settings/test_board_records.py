@@ -129,6 +129,31 @@ def test_records_are_settings_files(tmp_path: Path) -> None:
     assert records.load(BOARD) is None
 
 
+def test_programs_retain_the_changes_of_each_other(tmp_path: Path) -> None:
+    mine, other = BoardRecords(tmp_path), BoardRecords(tmp_path)
+    mine.load(BOARD)
+    read = EMPTY.after_reading(stored(), RC, FIRST).with_notes({"motor_mode": "old"})
+    mine.save(BOARD, read)
+    other.load(BOARD)
+    learned = {**stored().calibrations, CalibrationKey.RC_CHANNEL_1: LEARNED}
+    written = read.after_writing(
+        replace(stored(serial_timeout=9), calibrations=learned), RC, (), FIRST
+    )
+    other.save(BOARD, written.with_notes({"serial_timeout": "other"}))
+
+    trial = TimeoutTrial(True, True)
+    changed = replace(read.after_reading(stored(), RC, SECOND), trial=trial)
+    mine.save(BOARD, changed.with_notes({"motor_mode": "old", "motor1_acceleration": "mine"}))
+    notes = {"serial_timeout": "other", "motor1_acceleration": "mine"}
+    assert mine.load(BOARD) == replace(written, trial=trial).with_notes(notes)
+    other.save(BOARD, written.before_writing({"serial_timeout"}).with_notes({}))
+    loaded = mine.load(BOARD)
+    assert loaded is not None
+    assert "serial_timeout" not in loaded.settings.parameters
+    assert loaded.settings.notes == {"motor1_acceleration": "mine"}, "the other note was removed"
+    assert loaded.trial == trial
+
+
 def test_board_that_lost_its_number_is_found_by_its_adapter(tmp_path: Path) -> None:
     records = BoardRecords(tmp_path)
     days = {3: ("old", 2), 7: ("old", 4), 9: ("old", 3), 12: ("other", 5), 13: ("new", None)}

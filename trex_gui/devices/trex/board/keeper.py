@@ -32,10 +32,12 @@ from trex_gui.devices.trex.settings.history import SettingsHistory
 Notify = Callable[[str], None]
 
 
-def read_record(board: BoardIdentity, warn: Notify) -> BoardRecord | None:
+def read_record(
+    board: BoardIdentity, warn: Notify, records: BoardRecords | None = None
+) -> BoardRecord | None:
     """Return the saved record of a board. `None` if it is missing or damaged."""
     try:
-        return BoardRecords().load(board)
+        return (records or BoardRecords()).load(board)
     except SettingsError as error:
         warn(f"The settings last applied to this board are unknown. {error}")
         return None
@@ -55,7 +57,7 @@ class Keeper:
     def load(self) -> None:
         board, self._requested = self._requested, None
         if board is not None:
-            self.memory.handle_record(board, read_record(board, self._warn))
+            self.memory.handle_record(board, read_record(board, self._warn, self._records))
 
     def prepare(
         self,

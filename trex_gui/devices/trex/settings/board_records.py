@@ -12,6 +12,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import TypeVar
 
 from trex_gui.core.files import SettingsError, data_folder, file_exists, load
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
@@ -33,6 +34,8 @@ _TRIAL = re.compile(
     r"^# serial timeout: (stopped the motors|failed), uart_error_shutdown (on|off)\b", re.MULTILINE
 )
 _PARAMETERS = "parameters"
+_K = TypeVar("_K")
+_V = TypeVar("_V")
 _NEVER = datetime.min.replace(tzinfo=UTC)
 
 
@@ -142,6 +145,34 @@ class BoardRecord:
             trial=self.trial or earlier.trial,
         )
 
+    def with_changes(self, before: "BoardRecord", after: "BoardRecord") -> "BoardRecord":
+        """Apply the changes from `before` to `after`.
+
+        Calibrations that another program has applied are retained if `after` only read some.
+        """
+        mine, old, new = self.settings, before.settings, after.settings
+        retained = {
+            source: provenance
+            for source, provenance in self.provenance.items()
+            if provenance.is_applied
+            and provenance != before.provenance.get(source)
+            and not after.provenance.get(source, provenance).is_applied
+        }
+        applied = {k: c for k, c in mine.calibrations.items() if k.source in retained}
+        calibrations = _merged(mine.calibrations, old.calibrations, new.calibrations)
+        return BoardRecord(
+            replace(
+                new,
+                parameters=_merged(mine.parameters, old.parameters, new.parameters),
+                calibrations={**calibrations, **applied},
+                notes=_merged(mine.notes, old.notes, new.notes),
+            ),
+            self.applied if after.applied == before.applied else after.applied,
+            {**_merged(self.provenance, before.provenance, after.provenance), **retained},
+            self.adapter if after.adapter == before.adapter else after.adapter,
+            self.trial if after.trial == before.trial else after.trial,
+        )
+
     def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
         """Return `stored` with the notes, and with the calibrations that the board hides.
 
@@ -158,21 +189,39 @@ class BoardRecord:
         return complete, lines if hidden else []
 
 
+def _merged(mine: Mapping[_K, _V], before: Mapping[_K, _V], after: Mapping[_K, _V]) -> dict[_K, _V]:
+    retained = {key: value for key, value in mine.items() if key in after or key not in before}
+    return {**retained, **{k: value for k, value in after.items() if before.get(k) != value}}
+
+
 class BoardRecords:
-    """Folder of board records, created when the first record is saved."""
+    """Folder of board records, created when the first record is saved.
+
+    Another program may save the same record. Therefore, `save` writes only the changes since the
+    last `load` or `save` of this object.
+    """
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or data_folder() / "boards"
+        self._last: dict[BoardIdentity, BoardRecord | None] = {}  # last loaded or saved
 
     def path(self, board: BoardIdentity) -> Path:
         return self.folder / f"{board}.txt"
 
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
-        """Replace the record of a board. `None` removes it.
+        """Save the changes of a board's record. `None` removes it.
 
         If saving raises a SettingsError, the old record remains.
         """
-        replace_file(self.path(board), None if record is None else _text(record))
+        merged, before, now = record, self._last.get(board), None
+        if record is not None:
+            with suppress(SettingsError):
+                now = self._read(board)
+            if now is not None and now != before:
+                before = before or BoardRecord(Settings(board.product, board.firmware))
+                merged = now.with_changes(before, record)
+        replace_file(self.path(board), None if merged is None else _text(merged))
+        self._last[board] = record
 
     def load(self, board: BoardIdentity) -> BoardRecord | None:
         """Return the record of a board, or `None` if it has no record.
@@ -182,6 +231,11 @@ class BoardRecords:
         Raises:
             SettingsError: the file cannot be read, is damaged, or belongs to another model.
         """
+        self._last[board] = None
+        self._last[board] = record = self._read(board)
+        return record
+
+    def _read(self, board: BoardIdentity) -> BoardRecord | None:
         path = self.path(board)
         if not file_exists(path):
             return None
@@ -200,7 +254,7 @@ class BoardRecords:
             if number == board.device_number:
                 continue
             with suppress(SettingsError):
-                record = self.load(replace(board, device_number=number))
+                record = self._read(replace(board, device_number=number))
                 if record is not None and record.applied is not None and record.adapter == adapter:
                     records.append(record)
         return max(records, key=lambda record: record.applied or _NEVER, default=None)
