@@ -9,8 +9,9 @@ import pytest
 from trex_gui.core.files import NotOrdinaryFileError, atomic_file, open_ordinary
 
 
-def test_file_is_replaced_when_completely_written(tmp_path: Path) -> None:
-    path = tmp_path / "a.csv"
+@pytest.mark.parametrize("name", ["a.csv", "設" * 80])  # the second name has 240 bytes
+def test_file_is_replaced_when_completely_written(tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
     path.write_bytes(b"old")
     with atomic_file(path) as file:
         file.write(b"new")

@@ -160,7 +160,8 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
         with contextlib.suppress(FileNotFoundError):
             check_ordinary(target)
     remove_abandoned(target.parent)
-    draft = target.with_name(f".{target.name[:100]}.{os.urandom(4).hex()}.trexdraft")
+    start = target.name[:25]  # up to 100 bytes; file systems allow 143 to 255
+    draft = target.with_name(f".{start}.{os.urandom(4).hex()}.trexdraft")
     try:
         mode = 0o600 if target.exists() else 0o666  # private until the target's mode is copied
         with open(draft, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
