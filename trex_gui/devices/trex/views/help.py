@@ -28,7 +28,6 @@ TOPICS = {  # object name → help topic
     "parameterFindings": _FINDINGS,
     # Dialogs and other windows
     "boardsFindings": _FINDINGS,
-    "editorFindings": _FINDINGS,
     "loadFindings": _FINDINGS,
     "reviewFindings": _FINDINGS,
     "textFindings": _FINDINGS,
@@ -47,7 +46,6 @@ TOPICS = {  # object name → help topic
     "playbackWindow": "currents.md#recordings",
     "plotWindow": "currents.md",
     "powerCycleDialog": "settings.md#edit-review-apply",
-    "printPreviewDialog": "settings.md#settings-files",
     "robotsDialog": "remote.md#many-robots",
     "groupDialog": "connecting.md#boards-that-are-driven-together",
     "provisionDialog": "command_line.md#boards-in-turn",

@@ -141,7 +141,7 @@ class BoardPage(QWidget):
         is_valid = wire is not None and wire in state.specs[ParameterKey.UART_SETTINGS].valid
         real = settings.line.real_baud(state.signature.firmware)
         if is_valid and real != settings.line.baud:
-            facts.insert(4, tr("this firmware runs at half this baud rate"))  # behind the baud rate
+            facts.insert(4, tr("this firmware runs at half this baud rate"))  # after the baud rate
         return facts
 
     @Slot()
