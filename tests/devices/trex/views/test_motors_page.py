@@ -23,7 +23,7 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
 class MotorsPageDriver(WidgetDriver):
-    """Motors page of a disconnected device, in a scroll area."""
+    """Motors page in a scroll area."""
 
     def __init__(self, device: Device, qtbot: QtBot) -> None:
         self.device = device

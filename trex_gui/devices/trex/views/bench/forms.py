@@ -18,7 +18,7 @@ from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_
 from trex_gui.ui.theme.theme import set_text_color
 from trex_gui.ui.widgets import builders as ui
 
-_WIDEST = "127 per 100 ms (127 ms)"
+_WIDEST, _FRAME = "127 per 100 ms (127 ms)", 40  # widest text of an editor, pixels around it
 
 
 def _form(parent: QWidget | None = None) -> QFormLayout:
@@ -206,7 +206,7 @@ class TuningForm(ui.Card):
             editor.setObjectName(f"bench_{key}")
             editor.setAccessibleName(spec.name)
             editor.setToolTip(ui.plain(f"{spec.description} ({editor.toolTip()})"))
-            editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance(_WIDEST) + 40)
+            editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance(_WIDEST) + _FRAME)
             # The card title names the motor, and the full name of parameter P is too long.
             is_limit_p = key.endswith(MotorParameter.CURRENT_LIMIT_P)
             name = tr("Limit P") if is_limit_p else spec.short_name
