@@ -1,6 +1,8 @@
 """Pages and prompts of a served board, which one user at a time may drive."""
 
+import time
 from collections.abc import Callable
+from threading import Event
 from typing import Any
 
 import pytest
@@ -159,3 +161,29 @@ def test_all_robots_are_stopped_and_named_if_not_confirmed(
     window.find(QPushButton, "stopAllRobots").pressed.emit()
     window.wait_for_files()
     assert text in window.text("robotsNote")
+
+
+@pytest.mark.realtime
+def test_end_of_a_search_does_not_hide_an_unconfirmed_stop(
+    window: WindowDriver, robots: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window.trigger("robots")
+    window.wait_for_files()
+    stopped = Event()
+
+    def find(_robots: Robots) -> list[dict[str, Any]]:
+        stopped.wait(10)
+        time.sleep(0.05)  # until the result of the stop is reported
+        return robots
+
+    def stop(_robots: Robots, urls: list[str]) -> dict[str, str]:
+        stopped.set()
+        return dict.fromkeys(urls, "No reply.")
+
+    monkeypatch.setattr(Robots, "find", find)
+    monkeypatch.setattr(Robots, "stop", stop)
+    window.find(QPushButton, "findRobots").click()
+    window.find(QPushButton, "stopAllRobots").pressed.emit()
+    window.wait_for_files()
+    assert window.is_enabled("findRobots")
+    assert "Stop not confirmed" in window.text("robotsNote")

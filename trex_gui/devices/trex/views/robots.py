@@ -35,6 +35,7 @@ class RobotsDialog(ReusedDialog):
         super().__init__(parent)
         self._device, self._connect, self._set_served = device, connect, set_served
         self._rows: list[dict[str, Any]] = []
+        self._reports_stop = False  # True if the note is about a stop during or after the search
         self._robots = Robots()  # keeps the connections open, so that a stop is not delayed
         self.setObjectName("robotsDialog")
         self.setWindowTitle(title_of(tr("Robots on the net&work…")))
@@ -72,6 +73,7 @@ class RobotsDialog(ReusedDialog):
     def search(self) -> None:
         self._search.setEnabled(False)
         self._note.show_note(tr("Searching …"))
+        self._reports_stop = False
         in_background(self, self._robots.find, self._on_found, self._on_failed)
 
     @Slot()
@@ -81,7 +83,8 @@ class RobotsDialog(ReusedDialog):
     def _on_found(self, rows: list[dict[str, Any]]) -> None:
         self._rows = rows
         self._search.setEnabled(True)
-        self._note.show_note("" if rows else tr("No robots found."))
+        if not self._reports_stop:
+            self._note.show_note("" if rows else tr("No robots found."))
         self._table.setRowCount(len(rows))
         for number, row in enumerate(rows):
             board = row["board"] or tr("no board")
@@ -115,6 +118,7 @@ class RobotsDialog(ReusedDialog):
         self._device.press_stop()  # the board of this window stops without delay
         urls = [row["url"] for row in self._rows]
         self._note.show_note(tr("Stopping …"))
+        self._reports_stop = True
         in_background(self, partial(self._robots.stop, urls), self._on_stopped, self._on_failed)
 
     def _on_stopped(self, results: dict[str, str]) -> None:
