@@ -187,3 +187,26 @@ def test_end_of_a_search_does_not_hide_an_unconfirmed_stop(
     window.wait_for_files()
     assert window.is_enabled("findRobots")
     assert "Stop not confirmed" in window.text("robotsNote")
+
+
+@pytest.mark.realtime
+@pytest.mark.usefixtures("robots")
+def test_closed_dialog_completes_and_reports_a_stop(
+    window: WindowDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[str] = []
+
+    def stop(_robots: Robots, urls: list[str]) -> dict[str, str]:
+        time.sleep(0.05)
+        calls.append("stop")
+        return dict.fromkeys(urls, "No reply.")
+
+    monkeypatch.setattr(Robots, "stop", stop)
+    monkeypatch.setattr(Robots, "close", lambda _: calls.append("close"))
+    window.trigger("robots")
+    window.wait_for_files()
+    window.find(QPushButton, "stopAllRobots").pressed.emit()
+    window.find(QPushButton, "closeRobots").click()
+    window.wait(lambda: len(calls) == 2)
+    assert calls == ["stop", "close"]
+    assert "Stop not confirmed" in window.device.notifier.shown

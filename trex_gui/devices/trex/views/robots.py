@@ -36,6 +36,7 @@ class RobotsDialog(ReusedDialog):
         self._device, self._connect, self._set_served = device, connect, set_served
         self._rows: list[dict[str, Any]] = []
         self._reports_stop = False  # True if the note is about a stop during or after the search
+        self._is_stopping = False
         self._robots = Robots()  # keeps the connections open, so that a stop is not delayed
         self.setObjectName("robotsDialog")
         self.setWindowTitle(title_of(tr("Robots on the net&work…")))
@@ -78,7 +79,8 @@ class RobotsDialog(ReusedDialog):
 
     @Slot()
     def _on_finished(self) -> None:
-        in_background(self, self._robots.close, lambda _: None, self._on_failed)
+        if not self._is_stopping:  # closing the connections could lose the stop
+            in_background(self, self._robots.close, lambda _: None, self._on_failed)
 
     def _on_found(self, rows: list[dict[str, Any]]) -> None:
         self._rows = rows
@@ -118,8 +120,9 @@ class RobotsDialog(ReusedDialog):
         self._device.press_stop()  # the board of this window stops without delay
         urls = [row["url"] for row in self._rows]
         self._note.show_note(tr("Stopping …"))
-        self._reports_stop = True
-        in_background(self, partial(self._robots.stop, urls), self._on_stopped, self._on_failed)
+        self._reports_stop = self._is_stopping = True
+        stop = partial(self._robots.stop, urls)
+        in_background(self, stop, self._on_stopped, self._on_stop_failed)
 
     def _on_stopped(self, results: dict[str, str]) -> None:
         failed = [f"{url}: {error}" for url, error in results.items() if error]
@@ -127,3 +130,16 @@ class RobotsDialog(ReusedDialog):
         if failed:
             text = tr("Stop not confirmed: {0}").format(" ".join(failed))
         self._note.show_note(text, alarming=bool(failed))
+        self._end_stop(text if failed else "")
+
+    def _on_stop_failed(self, error: StudioError) -> None:
+        self._on_failed(error)
+        self._end_stop(error_sentence(error))
+
+    def _end_stop(self, problem: str) -> None:
+        """Report a problem in the main window if the dialog was closed during the stop."""
+        self._is_stopping = False
+        if not self.isVisible():
+            if problem:
+                self._device.notifier.error.emit(problem)
+            self._on_finished()
