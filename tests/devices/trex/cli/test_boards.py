@@ -96,7 +96,7 @@ def test_reset_to_the_number_of_another_board_is_rejected(
     run: RunCommand, line: VirtualSimulator
 ) -> None:
     line.do("@3 eeprom serial_timeout 9")
-    board_3 = ("--protocol", "expanded", "--device", "3")
+    board_3 = ("--device", "3")  # implies the expanded protocol
     result = run("restore-defaults", "--yes", *board_3, exits=1)
     assert "Another board on this line has the device number 7" in result.stderr
     line.do("@3 power cycle")

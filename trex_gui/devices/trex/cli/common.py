@@ -60,6 +60,8 @@ def complete_parameter(
     ]
 
 
+_FACTORY_NUMBER = 7
+
 crc_option = click.option("--crc", is_flag=True, help="End every packet with a CRC-7.")
 polynomial_option = click.option(
     "--polynomial",
@@ -96,16 +98,13 @@ link_options = all_options(
     click.option(
         "--device",
         type=click.IntRange(0, 127),
-        default=7,
-        show_default=True,
-        help="Device number for the expanded protocol.",
+        help="Device number of the board. Implies --protocol expanded.  [default: 7]",
     ),
     click.option(
         "--protocol",
         type=click.Choice(["compact", "expanded"]),
-        default="compact",
-        show_default=True,
-        help="The expanded (Pololu) protocol addresses one of several boards.",
+        help="The expanded (Pololu) protocol addresses one of several boards. Compact packets "
+        "reach every board on the line.  [default: compact]",
     ),
     click.option(
         "--reserve",
@@ -126,7 +125,11 @@ def link_settings(options: Mapping[str, Any], url: str | None = None) -> Connect
         raise click.UsageError("A TReX can use either CRC or parity, not both.")
     detection = Detection["CRC7" if options["crc"] else options["parity"].upper()]
     line = LineSettings(options["baud"], detection, options["stop_bits"])
-    number = options["device"] if options["protocol"] == "expanded" or options["reserve"] else None
+    number, protocol = options["device"], options["protocol"]
+    if options["reserve"] or protocol == "expanded" or (protocol is None and number is not None):
+        number = _FACTORY_NUMBER if number is None else number
+    else:
+        number = None
     timeouts = Timeouts(extra=options["extra_timeout"])
     try:
         line.to_wire()
