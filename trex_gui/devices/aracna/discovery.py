@@ -14,7 +14,6 @@ Opening a port may reset the board. The board then reports `.h` and does not lis
 Therefore, the probe is repeated.
 """
 
-import contextlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
@@ -28,13 +27,13 @@ from trex_gui.core.discovery.prober import (
     ignore_step,
     never_cancelled,
 )
-from trex_gui.core.errors import BadReply, BadRequest
+from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.protocol import commands
 from trex_gui.devices.aracna.protocol.replies import Reader, Version
-from trex_gui.devices.aracna.session.client import LINE
+from trex_gui.devices.aracna.session.client import LINE, SAVED_BYTES, read_available
 from trex_gui.devices.aracna.session.errors import ErrorCode, diagnose
 
 PROBE = commands.EMPTY + commands.QUERY
@@ -42,7 +41,6 @@ PROBE = commands.EMPTY + commands.QUERY
 MAX_PROBES = 5  # five probes take 3.2 s on a local port
 _PROBE_INTERVAL = 0.45  # seconds
 _READ_TIMEOUT = 0.02  # seconds
-_SAVED_BYTES = 48  # maximum number of received bytes saved for the diagnosis
 
 _HELLO = b"h\r\n"
 _EVIDENCE: dict[Enum, Evidence] = {
@@ -125,8 +123,7 @@ class AracnaProber:
                 ).format(self._settings.label, LINE.text())
                 return
             if done == 0:
-                with contextlib.suppress(BadReply):
-                    wire.discard()  # replies to earlier probes for other devices
+                read_available(wire)  # discards replies to earlier probes for other devices
             wire.write(PROBE)
             self._listen(wire, _PROBE_INTERVAL + wire.latency + extra)
             if self.found:
@@ -142,14 +139,10 @@ class AracnaProber:
         end = wire.clock() + seconds
         while not self.found and (remaining := end - wire.clock()) > 0:
             data = wire.read(1, min(remaining, _READ_TIMEOUT))
-            try:
-                data += wire.discard()
-            except BadReply:  # bytes keep arriving
-                data += wire.read(_SAVED_BYTES, 0.0)
-            self._handle(data)
+            self._handle(data + read_available(wire))
 
     def _handle(self, data: bytes) -> None:
-        self._received = (self._received + data)[:_SAVED_BYTES]
+        self._received = (self._received + data)[:SAVED_BYTES]
         for reply in self._reader.feed(data):
             if isinstance(reply, Version):
                 note = tr(_RESETS) if _HELLO in self._received else ""

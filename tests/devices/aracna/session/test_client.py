@@ -1,13 +1,16 @@
 """Client with one command in flight."""
 
+from unittest.mock import Mock
+
 import pytest
 
 from tests.support.aracna import AracnaHarness
-from trex_gui.core.errors import BadRequest
+from trex_gui.core.errors import BadReply, BadRequest
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol.replies import Positions, Version
 from trex_gui.devices.aracna.session.client import (
     QUERY_RETRY,
+    SAVED_BYTES,
     Answered,
     AracnaClient,
     CommandEvent,
@@ -103,6 +106,16 @@ def test_lost_move_ends_when_following_query_is_answered() -> None:
     assert late.motor is None
     assert isinstance(lost, ReplyLost)
     assert lost.robot_free
+
+
+def test_first_bytes_of_endless_noise_are_saved(monkeypatch: pytest.MonkeyPatch) -> None:
+    harness = AracnaHarness()
+    client = client_of(harness)
+    harness.line.inject(b"x" * 100)
+    endless = Mock(side_effect=BadReply("bytes keep arriving"))
+    monkeypatch.setattr(harness.transport, "discard", endless)
+    assert received(client, 0.1) == []
+    assert client.received == b"x" * SAVED_BYTES
 
 
 def test_printable_bytes_are_shown_as_text_and_others_as_hex() -> None:

@@ -43,7 +43,7 @@ QUERY_RETRY = 5.0
 """Seconds after which `.q` is repeated if a reply is still incomplete. A repetition is harmless,
 because the chip stores only one `.q`."""
 
-_SAVED_BYTES = 48  # maximum number of received bytes saved for error messages
+SAVED_BYTES = 48  # maximum number of received bytes saved for error messages
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +84,13 @@ class Voided:
 
 
 CommandEvent = Answered | Progress | Stuck | ReplyLost | Voided
+
+
+def read_available(transport: Transport) -> bytes:
+    try:
+        return transport.discard()
+    except BadReply:  # bytes keep arriving; they may identify their sender
+        return transport.read(SAVED_BYTES, 0.0)
 
 
 class AracnaClient:
@@ -149,12 +156,9 @@ class AracnaClient:
         """Return new events. Wait up to `seconds` for the first byte."""
         data = self.transport.read(1, seconds) if seconds > 0 else b""
         timeouts_at = self.transport.clock()  # bytes received later are late
-        try:
-            data += self.transport.discard()
-        except BadReply:  # bytes keep arriving; they may identify their sender
-            data += self.transport.read(_SAVED_BYTES, 0.0)
+        data += read_available(self.transport)
         now = self.transport.clock()
-        self.received = (self.received + data)[:_SAVED_BYTES]
+        self.received = (self.received + data)[:SAVED_BYTES]
         events: list[CommandEvent] = []
         for reply in self._reader.feed(data):
             events += self._handle(reply, now)
