@@ -28,7 +28,7 @@ from trex_gui.ui.workers.record_thread import RecordThread
 COLORS = ("motor1", "motor2", "good", "dirty", "danger", "muted", "warning", "plot_text")
 """Theme colours of the curves by motor. Each curve also shows the number of its motor."""
 
-MAX_ROWS = 2_000_000  # drawn rows: two hours at the robot's highest rate, 144 MB
+MAX_ROWS = 2_000_000  # drawn rows: six hours of eight motors at their highest rate, 144 MB
 _NO_GAP = math.inf  # curves have no gaps: without a report, a position has not changed
 
 _Row = tuple[float, ...]  # time (s), then the position of each motor (degrees; NaN if unknown)

@@ -24,11 +24,10 @@ from trex_gui.ui.widgets.painted import Painted, Painter
 _CENTER = 150.0  # degrees
 _REDUCTION = 0.35  # drawn angle divided by the servo's angle
 _BODY = 0.24  # half the edge length of the body; both axes of the picture span -1 to 1
-_HIP = 0.26
-_UPPER = 0.33
-_LOWER = 0.34
+_HIP = 0.26  # distance of each hip from the centre, along both axes
+_UPPER, _LOWER = 0.33, 0.34  # lengths of the two parts of a leg
 _LEG = 0.08  # width of a leg
-_RADIUS = 0.075
+_RADIUS = 0.075  # of a joint
 _REACH = 0.13  # maximum distance at which the mouse points at a joint
 _MAX_WIDTH = 130  # maximum width of the widget next to the drawing, in average characters
 
@@ -138,7 +137,7 @@ class RobotDrawing(Painted):
         return drawn_legs(tuple(goal if present is None else present for present, goal in pairs))
 
     def _scale(self) -> float:
-        return min(self.width(), self.height()) / 2.06
+        return min(self.width(), self.height()) / 2.06  # the axes span 2, and lines have a width
 
     def _to_pixels(self, point: Point) -> QPointF:
         scale = self._scale()
