@@ -11,7 +11,7 @@ a prefix is a pose from an older version. PyPose strips the names in steps, so i
 pose with blanks around its name. This module ignores blanks around a name.
 
 `Nuke` lines are for code that PyPose generated for legged robots. These lines and unreadable lines
-are written back unchanged.
+after the first are written back unchanged.
 """
 
 import re
