@@ -83,10 +83,10 @@ class RobotsDialog(ReusedDialog):
             in_background(self, self._robots.close, lambda _: None, self._on_failed)
 
     def _on_found(self, rows: list[dict[str, Any]]) -> None:
-        self._rows = rows
+        self._rows, note = rows, "" if rows else tr("No robots found.")
         self._search.setEnabled(True)
         if not self._reports_stop:
-            self._note.show_note("" if rows else tr("No robots found."))
+            self._note.show_note(note)
         self._table.setRowCount(len(rows))
         for number, row in enumerate(rows):
             board = row["board"] or tr("no board")
