@@ -197,13 +197,6 @@ class TrexClient:
         self.counters.unsolicited += len(self.transport.discard())
         self.counters.requests += 1
 
-    def discard_late_reply(self) -> bool:
-        """Wait for a late reply, if one is possible, and discard it. Return True after a wait."""
-        self.drain()
-        is_unanswered = self._wire.is_unanswered
-        self.counters.unsolicited += len(self._drain_late_reply())
-        return is_unanswered
-
     def send(self, command: Command[None]) -> None:
         packet = self.settings.framing.encode(command)
         self.drain()
@@ -233,19 +226,26 @@ class TrexClient:
                 break
         return self.echo
 
-    def _drain_late_reply(self) -> bytes:
-        """Wait for a late reply and return it, so that it is not mistaken for the next reply."""
+    def discard_late_reply(self) -> bool:
+        """Wait for a late reply, so that it is not mistaken for the next reply.
+
+        Return False if the last request was answered, so that no wait was necessary.
+        """
+        self.drain()
         if not self._wire.is_unanswered:
-            return b""
+            return False
         self._wire.is_unanswered = False
         if self.keepalive_while_waiting:
             self.transport.write(self._null)
         late = self.transport.read(LONGEST_REPLY, self.transport.latency)
         rest = self.settings.line.seconds(LONGEST_REPLY) if late else 0.0
         late += self.transport.read(LONGEST_REPLY - len(late), rest)
+        if self.echo and self.keepalive_while_waiting:
+            late = late.removesuffix(self._null)
         if late and self._wire.unanswered == 1:
             self._wire.unanswered = 0
-        return late.removesuffix(self._null) if self.echo and self.keepalive_while_waiting else late
+        self.counters.unsolicited += len(late)
+        return True
 
     def _reject_late_reply(self, reply: bytes) -> None:
         """Raise `BadReply` if more bytes follow, since `reply` then belongs to an old request."""
