@@ -37,8 +37,8 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 Values = Mapping[str, int]
 """Content of an EEPROM: parameters by key, calibrations by names like `RC 1 minimum`."""
 
-_PROBE = 0.0001
-_WITHIN_A_WRITE = 0.0013
+_PROBE = 0.0001  # seconds between two probes of an undisturbed run
+_WITHIN_A_WRITE = 0.0013  # seconds between two moments within a write to the EEPROM
 
 CALIBRATIONS = tuple(
     (

@@ -101,7 +101,7 @@ def test_unanswered_factory_reset_fails(harness: SessionHarness) -> None:
         write_parameter(harness.client().request, SPECS["factory_reset"], 0x7F)
 
 
-# --- Rejections ---------------------------------------------------------------------------
+# --- Rejections -------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
@@ -161,7 +161,7 @@ def test_corrupted_result_code_does_not_fail_a_write(
     assert write_parameter(request, SPECS[key], wire) == wire
 
 
-# --- Corrupted bytes -------------------------------------------------------------------------
+# --- Corrupted bytes --------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("lost", [1, 3])

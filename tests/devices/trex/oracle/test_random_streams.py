@@ -26,17 +26,8 @@ SOURCES = {"rc": InputSource.RC, "analog": InputSource.ANALOG}
 MASKS = ("ignored_channels", "reversed_channels", "parabolic_channels")
 CALIBRATIONS = range(0xA0, 0xA5)
 COMMANDS_WITH_REPLY = [command for command in COMMANDS if command < 0xC0] + [0x9F, 0xAF] * 3
-SPECIAL_WRITES = [
-    0x0007,
-    0x0009,
-    0x7B00,
-    0x7B01,
-    0x7C00,
-    0x7C01,
-    0x7E05,
-    0x7E25,
-    0x7F7F,
-]  # number and value
+# Number and value
+SPECIAL_WRITES = (0x0007, 0x0009, 0x7B00, 0x7B01, 0x7C00, 0x7C01, 0x7E05, 0x7E25, 0x7F7F)
 READABLE_SETTINGS = {0x05, 0x25}  # with the baud rate and character format of this line
 
 # Timeouts end at multiples of 0.1 s after the last byte. No wait ends near such a time.

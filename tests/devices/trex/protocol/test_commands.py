@@ -168,11 +168,3 @@ def test_only_motor_and_null_commands_have_no_reply() -> None:
 
 def test_only_motor_commands_move_motors() -> None:
     assert {opcode for opcode, cls in COMMANDS.items() if cls.moves} == set(range(0xC0, 0xF2))
-
-
-def test_equal_commands_have_equal_hashes() -> None:
-    for command, compact, _ in PACKETS:
-        (event,) = PacketParser().feed(bytes.fromhex(compact))
-        assert isinstance(event, Packet)
-        assert event.command == command
-        assert hash(event.command) == hash(command)
