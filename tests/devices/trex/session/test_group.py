@@ -70,7 +70,7 @@ def test_motors_rest_until_every_board_is_read(harness: GroupHarness, moment: fl
 
 @pytest.mark.parametrize(
     "command",
-    [SetParameter(0, 12), SetParameter(0, 9)],
+    [SetParameter(0, 12), SetParameter(0, 7)],
     ids=["free number", "taken number"],
 )
 def test_typed_packet_changes_no_device_number_of_a_group(
