@@ -177,6 +177,13 @@ def test_selection_stops_each_board_after_an_earlier_session(line: Line) -> None
     assert line.stopped_numbers() == {None, 7, 9}
 
 
+def test_other_board_left_running_is_stopped(line: Line) -> None:
+    line.ninth.serial.drive(1, MotorDirection.FORWARD, 90)
+    reports = run_for(line, 2.0, SEVENTH, may_move=True)
+    assert not runs_forward(line.ninth)
+    assert reports[-1] == Closed(None, may_move=False)
+
+
 def test_selection_stops_each_board_after_compact_commands(line: Line) -> None:
     line.ninth.power_off()
     line.script.at(1.0, Arm()).at(1.0, FORWARD).at(1.2, line.ninth.power_on)

@@ -111,12 +111,13 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
         assert not survives
 
 
+@pytest.mark.parametrize("echo", [False, True])
 @pytest.mark.parametrize("lead", [0.0, 0.1])
-def test_reply_lost_after_arming_fires_no_timeout(lead: float) -> None:
+def test_reply_lost_after_arming_fires_no_timeout(lead: float, *, echo: bool) -> None:
     """`lead`: seconds from arming to the check of the safety parameters."""
 
     def run(seconds: float, armed_at: float = math.inf) -> SessionHarness:
-        harness, settings = create_harness()
+        harness, settings = create_harness(echo=echo)
         harness.transport.latency = 0.3  # the latency of a network
         set_timeout(harness, 5)
         assert survives_a_loss(settings.line, 0.5, harness.transport.latency)

@@ -69,6 +69,16 @@ def test_missing_heartbeat_stops_typed_motor_command(harness: SessionHarness) ->
     assert (during, stopped) == ([80], [True])
 
 
+def test_line_error_does_not_brake_typed_motor_command(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.1, harness.fault(to_drop=1)).at(1.3, packet(1, "C2 50"))
+    schedule_heartbeats(harness, 1.4, 1.6)
+    speeds = read_at(harness, 1.7, lambda: harness.board.motors[0].speed)
+    harness.script.at(1.7, Stop(2))
+    run_for(harness, 4.5)
+    assert speeds == [80]
+    assert outcomes(harness.reports)[2].error is None
+
+
 @pytest.mark.parametrize("text", ["C2 50", "80 09 42 50", "C2"])
 def test_motor_command_for_another_board_is_rejected(harness: SessionHarness, text: str) -> None:
     settings = ConnectionSettings("virtual", device_number=7)
@@ -81,6 +91,13 @@ def test_bits_cleared_by_typed_packet_are_reported(harness: SessionHarness) -> N
     harness.script.at(1.5, packet(4, "84"))
     latched = samples(run_for(harness, 3.0), LatchedStatus)
     assert [UartError.FORMAT in sample.uart for sample in latched].count(True) == 2
+
+
+def test_uart_errors_are_read_after_lost_reply_to_typed_packet(harness: SessionHarness) -> None:
+    harness.script.at(1.0, lambda: harness.board.report_error(UartError.PARITY))
+    harness.script.at(1.0, harness.fault(to_drop=1)).at(1.0, packet(1, "84"))
+    latched = samples(run_for(harness, 2.0), LatchedStatus)
+    assert [sample.uart for sample in latched] == [UartError.PARITY]
 
 
 def test_typed_write_reads_board_again(harness: SessionHarness) -> None:

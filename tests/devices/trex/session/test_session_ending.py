@@ -122,6 +122,14 @@ def test_unanswered_stop_delays_close_by_less_than_a_second(
     assert (motor.target_direction.value, motor.target_speed) == ("brake", 127)
 
 
+def test_unanswered_stop_is_confirmed_by_stop_on_close(harness: SessionHarness) -> None:
+    harness.script.at(1.0, SetMotor(1, Drive.at(60))).at(1.1, harness.fault(mute=True))
+    harness.line.timeline.at(1.35, harness.fault(mute=False))
+    harness.script.at(1.1, Stop(1))
+    assert run_for(harness, 1.2)[-1] == Closed(None, may_move=False)
+    assert outcomes(harness.reports)[1].error is None
+
+
 # --- Line loss --------------------------------------------------------------------------
 
 REQUESTS: list[Request] = [

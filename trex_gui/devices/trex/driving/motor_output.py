@@ -68,7 +68,7 @@ class OutputEvent(Enum):
 
 
 class Action(Enum):
-    START_WATCHDOG = auto()
+    START_WATCHDOG = auto()  # and allow refreshes
     DROP_SETPOINTS = auto()  # drop queued, unconfirmed and refreshed setpoints
     FAIL_NOISY_STOPS = auto()  # report the stops that wait for a quiet line as unconfirmed
     CONFIRM_NOISY_STOPS = auto()
@@ -154,6 +154,7 @@ class MotorOutput:
             match action:
                 case Action.START_WATCHDOG:
                     self._heartbeat_at = now
+                    self.refresh.on_armed()
                 case Action.DROP_SETPOINTS:
                     self.setpoints.clear()
                     self._popped = []
@@ -213,7 +214,7 @@ class MotorOutput:
     def refresh_due(self, interval: float) -> float:
         due = math.inf
         if self.arming is not Arming.UNREACHABLE:
-            due = self.refresh.due(interval, armed=self.is_armed)
+            due = self.refresh.due(interval)
         self.is_repeating = self.is_repeating and due < math.inf
         return due
 

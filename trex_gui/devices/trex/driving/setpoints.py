@@ -221,13 +221,15 @@ class SetpointRefresh:
             for setpoint in self.running:
                 del self._setpoints[setpoint.motor]
 
+    def on_armed(self) -> None:
+        self._is_active = True
+
     def on_direct_command(self) -> None:
-        """Pause until the next setpoint or stop, since the state of the motors is unknown."""
+        """Pause until the next setpoint, stop or arming, since the motors' state is unknown."""
         self._is_active = False
 
-    def due(self, interval: float, *, armed: bool) -> float:
+    def due(self, interval: float) -> float:
         """Return the time of the next refresh, on the line's clock. Infinite on a quiet line."""
-        self._is_active = self._is_active or armed
         if self._quality.is_quiet:
             self._watch_auxiliary()
         if self._quality.is_quiet_for(_REFRESH_REPLIES):
