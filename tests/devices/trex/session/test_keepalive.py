@@ -12,7 +12,7 @@ from tests.support.virtual import SessionHarness
 from trex_gui.core.session import Outcome
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.telemetry import Control, Currents, LatchedStatus, ModeSample, Raw
-from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetMotor, Stop
+from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetRawChannels
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import UartError
@@ -122,7 +122,10 @@ def test_reply_lost_after_arming_fires_no_timeout(lead: float, *, echo: bool) ->
         set_timeout(harness, 5)
         assert survives_a_loss(settings.line, 0.5, harness.transport.latency)
         if armed_at < seconds:
-            harness.script.at(armed_at, Arm()).at(armed_at, SetMotor(1, Drive.at(90)))
+            harness.script.at(armed_at, Arm())
+            speed = Drive.at(90)
+            for setpoint in (SetMotor(1, speed), SetMotor(2, speed), SetAuxiliary(90)):
+                harness.script.at(armed_at, setpoint)  # all run, so that no refresh is sent
             harness.script.at(armed_at, harness.fault(to_drop=1))
             schedule_slow_heartbeats(harness, armed_at + INTERVAL, 3)
         run_for(harness, seconds, settings)
