@@ -110,10 +110,7 @@ class SettingsSaver(QObject):
         on_done: Callable[[], object],
         before: bytes | SettingsError | None,
     ) -> None:
-        """Write the settings over `before`.
-
-        `before` is the content of the file, its read error, or `None` if there is no file.
-        """
+        """Write over `before`: the file's content, its read error, or `None` without a file."""
         try:
             text, note = self._text_for(path, settings, before)
         except StudioError as error:

@@ -93,10 +93,7 @@ class BoardView(QWidget):
     # --- Layout -------------------------------------------------------------------------
 
     def _columns(self) -> tuple[tuple[float, float], ...]:
-        """Return the minimum and maximum width of each column, in lines of text.
-
-        The columns are the channels, the board and the motors.
-        """
+        """Return the least and greatest widths of channels, board and motors, in lines of text."""
         font, line = self.font(), self.fontMetrics().height()
         roles = text_width(font, *(f"CH5  {tr(role)}  2000 µs " for role in CHANNEL_NAMES.values()))
         words = f"{tr('not armed')} {tr('reverse')} {tr('limit {0:.1f} A').format(88.8)}".split()

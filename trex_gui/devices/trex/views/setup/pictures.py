@@ -126,10 +126,7 @@ def paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
 
 
 def paint_ramp(ramp: float, brake: float, painter: QPainter, box: QRectF) -> None:
-    """Paint the speed during a start and a reversal.
-
-    `ramp` is the time to full speed, `brake` the duration of braking, both in seconds.
-    """
+    """Paint a start and a reversal. `ramp`: seconds to full speed. `brake`: seconds of braking."""
 
     def point(seconds: float, speed: float) -> QPointF:
         y = box.center().y() - speed * box.height() / 2

@@ -103,10 +103,7 @@ def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
 def _stop(
     spec: ParameterSpec, wire: int, values: ParameterValues, after: float | None = None
 ) -> Picture:
-    """Draw a loss of signal.
-
-    `after` is the time in seconds until the motors stop, by default the value of the parameter.
-    """
+    """Draw a loss of signal. Motors stop `after` seconds, by default the parameter's value."""
     value, start = spec.text(wire), 0.3
     seconds = wire * spec.scale if after is None else after
     end = start + 0.55 * seconds / _window(seconds, 0.5, 1.5, 5, 15)
