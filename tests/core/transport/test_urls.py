@@ -16,9 +16,7 @@ from trex_gui.core.transport.urls import Address, known_hosts
         ("trex://mary@other.local/arm", ""),
     ],
 )
-def test_secrets_file_lists_hosts_and_has_secrets_by_user_host_and_port(
-    url: str, secret: str
-) -> None:
+def test_secrets_file_lists_hosts_and_secrets_of_users(url: str, secret: str) -> None:
     file = data_folder() / "secrets"
     file.write_text("# mine\nmary@Robot.local one\nmary@robot.local:7500 two\n", encoding="utf-8")
     file.chmod(0o600)
