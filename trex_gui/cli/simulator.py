@@ -28,7 +28,7 @@ def _read_address(text: str) -> tuple[str, int]:
     """Parse HOST:PORT. IPv6 addresses are in brackets. The default host is 127.0.0.1."""
     host, _, port = text.rpartition(":")
     if not (port.isascii() and port.isdigit() and int(port) <= 0xFFFF):
-        raise click.BadParameter(f"{text!r} is not HOST:PORT such as 127.0.0.1:0")
+        raise click.BadParameter(f"{text!r} is not HOST:PORT, such as 127.0.0.1:0.")
     return host.strip("[]") or "127.0.0.1", int(port)
 
 
@@ -78,7 +78,7 @@ def main(
     **_options: object,
 ) -> None:
     if sum(option is not None for option in (link, tcp, rfc2217)) > 1:
-        raise click.UsageError("use only one of --link, --tcp and --rfc2217")
+        raise click.UsageError("Use only one of --link, --tcp and --rfc2217.")
     try:
         simulation = simulate(context)
         baud = simulation.line.host_format.baud
@@ -99,7 +99,7 @@ def simulate(context: click.Context) -> Simulation:
         for option in simulator.options:
             source = context.get_parameter_source(option.name or "")
             if key != device and source is not ParameterSource.DEFAULT:
-                raise click.UsageError(f"{option.opts[0]} does not apply to the device {device}")
+                raise click.UsageError(f"{option.opts[0]} does not apply to the device {device}.")
     selected = _SIMULATORS[device]
     values = {option.name: options[option.name] for option in selected.options if option.name}
     return selected.build(paced=not options["unpaced"], seed=options["seed"], **values)
@@ -119,7 +119,7 @@ def _endpoint(
 
         return Rfc2217Endpoint(*rfc2217, baud)
     if not has_pseudo_terminals:
-        raise click.UsageError("this system has no pseudo-terminals; use --tcp or --rfc2217")
+        raise click.UsageError("This system has no pseudo-terminals. Use --tcp or --rfc2217.")
     from trex_gui.core.simulator.pty_endpoint import PtyEndpoint  # noqa: PLC0415
 
     return PtyEndpoint(link, baud)
