@@ -270,7 +270,7 @@ def _clean_up() -> Iterator[None]:
     """
     threads = _threads()
     yield
-    _restore_scheme()
+    _restore_preferences()
     _release_mouse()
     _check_threads_and_windows(threads)
     if gc.get_count()[0] > _MANY_OBJECTS:  # objects that were created and not freed
@@ -278,7 +278,7 @@ def _clean_up() -> Iterator[None]:
         gc.freeze()  # caches, and pytest's data about every test
 
 
-def _restore_scheme() -> None:
+def _restore_preferences() -> None:
     units.cache_clear()
     theme().set_font_size(100)
     if theme().choice != "system":
