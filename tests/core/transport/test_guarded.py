@@ -214,11 +214,13 @@ def test_motors_are_stopped_if_lost_guardian_is_not_replaced(
     session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     session.transport.wait_for_guardian()
+    assert session.transport.is_guarded
     session.stop = STOP
     session.transport.beat()
     session.line.guardians[0].is_ready = False
     monkeypatch.setattr(VirtualGuardian, "__init__", fail_to_start)
     session.transport.wait(0.35)
+    assert session.transport.is_guarded, "a replacement is starting"
     assert session.taken_over == []
     session.transport.wait(0.15)
     assert session.taken_over == [None]
