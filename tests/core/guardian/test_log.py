@@ -32,7 +32,13 @@ def test_shorter_log_counts_as_new(log: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "damage", [b"\xff\0\n", b"2026-11-25 07:00:00 lost: words\n", b"x" * 999_999]
+    "damage",
+    [
+        b"\xff\0\n",
+        b"2026-11-25 07:00:00 lost: words\n",
+        b"a 2026-11-25 07:00:00 confirmed: words\n",
+        b"x" * 999_999,
+    ],
 )
 def test_damaged_log_is_read_as_far_as_possible(log: Path, damage: bytes) -> None:
     log.write_bytes(damage + b"\n" + LINES)
