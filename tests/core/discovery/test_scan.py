@@ -140,7 +140,14 @@ def test_unsolicited_data_is_received_at_rate_of_device_kind() -> None:
     wire = wire_of(board)
     read = wire.read
     wire.read = lambda size, seconds: b"$GPGGA" if seconds == 0.3 else read(size, seconds)  # type: ignore[method-assign]
-    result = search(wire, probers)
+    opened: list[int] = []
+
+    def open_wire(settings: PortSettings) -> Wire:
+        opened.append(settings.line.baud)
+        return wire
+
+    result = scan_port(VIRTUAL, probers, open_wire=open_wire)
+    assert opened == [38400]
     assert calls[0] == "Talker received b'$GPGGA' at 38400"
     assert "it sent 24 47 50 47 47 41 at 38400 baud" in result.lines[0]
 
@@ -170,11 +177,12 @@ def test_cancelled_search_is_reported_as_cancelled() -> None:
         VIRTUAL,
         {"one": silent_prober(calls, "One"), "two": silent_prober(calls, "Two")},
         progress=steps.append,
-        cancelled=lambda: len(steps) == 3,
+        cancelled=lambda: len(steps) == 2,
         open_wire=lambda _settings: wire,
     )
     assert result.cancelled
     assert calls == ["One 0"]
+    assert result.lines == ["No One."], "the other kind was not probed"
     assert wire.closed
 
 
@@ -252,7 +260,7 @@ def test_port_without_flush_rate_is_reported_and_closed() -> None:
     wire.reconfigure = reject_flush_rate  # type: ignore[method-assign]
     result = search(wire, {"trex": TREX_PROBER})
     assert not result.device
-    assert result.lines
+    assert "does not support 1200" in result.lines[0]
     assert wire.closed
 
 
