@@ -228,8 +228,7 @@ def test_motors_are_stopped_if_lost_guardian_is_not_replaced(
         session.transport.write(SETPOINT)
     session.transport.write(STOP.packets)
     session.transport.write(SETPOINT)  # from the user
-    assert not session.transport.is_guarded
-    assert len(session.line.guardians) == 2
+    assert (session.transport.is_guarded, len(session.line.guardians)) == (False, 2)
 
 
 def fail_to_start(guardian: VirtualGuardian) -> None:
