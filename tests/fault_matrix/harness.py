@@ -220,8 +220,7 @@ class FaultHarness:
 
     def listen_to(self, notifier: Notifier) -> None:
         """Record every banner message, because the next message may replace it."""
-        notifier.error.connect(self._record)
-        notifier.info.connect(self._record)
+        notifier.logged.connect(lambda text, _is_problem: self._record(text))
 
     def record_labels(self, widget: QWidget) -> None:
         """Record the texts of all labels of a widget."""
