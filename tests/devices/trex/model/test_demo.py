@@ -272,6 +272,7 @@ def test_factory_reset_restores_board_and_sticks(board: RecordingDemoBoard) -> N
         lambda: not snapshot_of(board).channels[3].has_signal and snapshot_of(board).line.mute
     )
     board.restore_factory()
+    board.hold_stick(2, 1200)  # while the power is off
     board.wait(lambda: snapshot_of(board).power and snapshot_of(board).mode is Mode.SERIAL_RC)
     snapshot = snapshot_of(board)
     assert not snapshot.line.mute

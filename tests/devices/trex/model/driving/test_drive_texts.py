@@ -116,6 +116,13 @@ def test_timeout_warning_depends_on_port_and_baud_rate(
         assert warning.seconds == offered
 
 
+@pytest.mark.parametrize("stop", [TimeoutStop.DOUBTFUL, TimeoutStop.REFUTED])
+def test_longer_timeout_is_not_shortened_with_the_shutdown(stop: TimeoutStop) -> None:
+    warning = timeout_warning_on(ConnectionSettings("/dev/ttyUSB0"), 2.0, stop, is_guarded=True)
+    assert warning is not None
+    assert warning.seconds == 2.0
+
+
 def test_slow_line_gets_a_warning_with_the_longest_timeout() -> None:
     settings = ConnectionSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
     warning = timeout_warning_on(settings, 1.0, effect(1.0), is_guarded=True)

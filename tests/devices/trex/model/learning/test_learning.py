@@ -157,6 +157,15 @@ def test_running_motors_are_stopped_before_learning(setup: LearningSetup) -> Non
     assert setup.simulator.show()["motors"][0]["target_direction"] == "brake"
 
 
+def test_cancelled_learning_does_not_continue_after_the_stop(setup: LearningSetup) -> None:
+    setup.run_motor(60)
+    setup.learning.start((1,))
+    setup.learning.cancel()
+    end = now() + 4
+    setup.until(lambda: now() > end)
+    assert setup.learning.step is LearningStep.ENDED
+
+
 def test_learning_fails_if_the_stop_is_unconfirmed(setup: LearningSetup) -> None:
     setup.simulator.do("line mute on")
     setup.learning.start((1,))

@@ -174,6 +174,8 @@ def test_failed_write_stays_pending_with_a_reason(model: ParameterModel, qtbot: 
     assert model.values.pending == (("motor_mode", 1),)
     assert data(model, "motor_mode", ParameterRole.PROBLEM) == "No reply."
     assert data(model, "serial_timeout", ParameterRole.PROBLEM) is None
+    load(model, factory() | {"serial_timeout": 9})
+    assert data(model, "motor_mode", ParameterRole.PROBLEM) == "No reply."
     model.record_results([WriteResult("motor_mode", 1)])
     assert data(model, "motor_mode", ParameterRole.PROBLEM) is None
 

@@ -243,6 +243,7 @@ def test_pulses_drive_only_one_motor(robot: Robot) -> None:
     pulses, motors = robot.setup.pulses, robot.device.motors
     motors.set_linked(True)
     assert pulses.start(2)
+    assert not pulses.start(1)
     start, speeds = now(), []
     while now() - start < 3 * (PULSE + PAUSE):
         speeds.append(robot.speeds())
@@ -319,6 +320,9 @@ def test_board_in_rc_mode_gets_neither_pulses_nor_edits(
     robot.go_to(SetupStep.LIMITS)
     robot.setup.select_preset(Preset.TANK)
     assert robot.setup.edits == {}
+    robot.go_to(SetupStep.JUMPERS)
+    robot.setup.next()
+    assert SetupStep.JUMPERS in robot.setup.open_steps, "the mode jumper is still set"
     qtbot.waitUntil(robot.device.shut_down)
 
 
