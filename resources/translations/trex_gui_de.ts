@@ -2907,7 +2907,7 @@
         <translation>nicht versucht</translation></message>
     <message><source>Changes</source>
         <translation>Änderungen</translation></message>
-    <message><source>The settings are written to the checked boards one after another. A snapshot of each board is saved first. Each board keeps its device number and its serial settings. Writing stops at the first error.</source>
+    <message><source>The settings are written to the checked boards one after another. A snapshot of each board is saved first. Each board keeps its device number and its serial settings. Writing ends at the first write error.</source>
         <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherungskopie. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
     <message><source>Close</source>
         <translation>Schließen</translation></message>

@@ -2907,7 +2907,7 @@
         <translation>non essayée</translation></message>
     <message><source>Changes</source>
         <translation>Modifications</translation></message>
-    <message><source>The settings are written to the checked boards one after another. A snapshot of each board is saved first. Each board keeps its device number and its serial settings. Writing stops at the first error.</source>
+    <message><source>The settings are written to the checked boards one after another. A snapshot of each board is saved first. Each board keeps its device number and its serial settings. Writing ends at the first write error.</source>
         <translation>Chaque carte cochée reçoit ces réglages, l'une après l'autre, avec un instantané au préalable. Chacune garde son numéro d'appareil et ses réglages série. La première erreur d'écriture met fin à l'opération.</translation></message>
     <message><source>Close</source>
         <translation>Fermer</translation></message>

@@ -123,7 +123,7 @@ class ApplyToBoardsDialog(QObject):
             caption=tr(
                 "The settings are written to the checked boards one after another. A "
                 "snapshot of each board is saved first. Each board keeps its device number "
-                "and its serial settings. Writing stops at the first error."
+                "and its serial settings. Writing ends at the first write error."
             ),
             rows=rows and replace(rows, rows=tuple(r for r in rows.rows if not r.is_missing)),
             sides=(tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),
