@@ -177,6 +177,16 @@ def test_auxiliary_motor_without_setpoint_gets_no_command() -> None:
     assert idle.idle_commands() == BRAKES[1:]
 
 
+def test_speeds_are_held_back_until_a_clean_status() -> None:
+    refresh = SetpointRefresh(LineQuality(), lambda: False)
+    refresh.record_setpoints([SetMotor(1, Drive.at(50))], 0.0)
+    fault = LatchedStatus(0.1, Status.MOTOR1_FAULT, UartError(0))
+    refresh.record_status(fault, stops_on_error=False)
+    assert refresh.speeds() == []
+    refresh.record_status(LatchedStatus(0.2, Status(0), UartError(0)), stops_on_error=False)
+    assert refresh.speeds() == [DriveMotor(1, Drive.at(50), accelerate=True)]
+
+
 def test_risky_polls_are_omitted_while_motors_may_move(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.2, harness.fault(to_drop=1))
     before = read_at(harness, 1.3, lambda: len(harness.transport.sent))

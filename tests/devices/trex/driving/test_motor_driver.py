@@ -5,7 +5,7 @@ import math
 
 import pytest
 
-from tests.devices.trex.session.helpers import create_harness, motor_commands_in
+from tests.devices.trex.session.helpers import create_harness, motor_commands_in, of_type
 from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
@@ -24,6 +24,7 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.commands import STOP, DriveAuxiliary, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 
@@ -151,6 +152,37 @@ def test_unanswered_stop_is_repeated_and_reported(harness: MotorsHarness) -> Non
     assert "cut its power" in str(outcome.error)
     assert harness.motors.may_move
     assert motor_commands_in(harness.transport.sent).count(STOP[0]) >= 10
+
+
+def test_stop_is_not_confirmed_while_the_board_reports_line_errors(
+    harness: MotorsHarness,
+) -> None:
+    def write_with_error(data: bytes) -> None:
+        write(data)
+        harness.board.report_error(UartError.FRAMING)
+
+    harness.drive(90)
+    write, harness.transport.write = harness.transport.write, write_with_error  # type: ignore[method-assign]
+    harness.stop()
+    (outcome,) = of_type(harness.reports, Outcome)
+    assert isinstance(outcome.error, NoReply)
+    assert harness.motors.may_move
+
+
+@pytest.mark.parametrize(("corrupted", "rounds"), [(0, 2), (1, 8)])
+def test_final_stop_needs_more_statuses_on_damaged_line(
+    harness: MotorsHarness, corrupted: int, rounds: int
+) -> None:
+    harness.driver.client.counters.corrupted = corrupted
+    assert harness.driver.stop_and_confirm()
+    assert motor_commands_in(harness.transport.sent).count(STOP[0]) == rounds
+
+
+def test_beginning_of_a_stop_ends_refreshes_of_speeds(harness: MotorsHarness) -> None:
+    harness.drive(90)
+    assert harness.motors.refresh.running
+    harness.driver.final_stop()
+    assert not harness.motors.refresh.running
 
 
 def test_stop_is_queued_again_when_port_is_lost(harness: MotorsHarness) -> None:
