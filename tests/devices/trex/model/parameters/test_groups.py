@@ -17,7 +17,7 @@ from trex_gui.devices.trex.model.parameters.text import (
     frequency_codes,
     frequency_wires,
 )
-from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft, diff_against_draft
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.comparison import compare
@@ -191,6 +191,16 @@ def test_staged_settings_of_each_motor_stay_different(qtbot: QtBot) -> None:
     assert dict(draft.parameters.values.pending) == values
     draft.parameters.discard_edits()
     assert not draft.parameters.values.pending
+
+
+def test_setting_that_was_not_read_is_left_out_by_name(qtbot: QtBot) -> None:
+    draft = SettingsDraft()
+    draft.load_settings(Settings(SPECS.model, "1.2", {}))
+    draft.parameters.load(SPECS, {}, {"serial_timeout": "No reply."}, power_cycled=True)
+    comparison = diff_against_draft(draft, Settings(SPECS.model, "1.2", {"serial_timeout": 5}))
+    assert comparison.left_out == (
+        "Serial Timeout is left out because it could not be read from the board.",
+    )
 
 
 def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:

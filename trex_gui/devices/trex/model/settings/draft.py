@@ -300,6 +300,6 @@ def diff_against_draft(
         "The {0} calibrations are left out: the board accepts them only while its input "
         "source is {0}."
     )
-    notes = [not_read.format(key) for key in unread]
-    notes += [not_shown.format(name) for name in sorted({key.source.word for key in hidden})]
-    return replace(result, left_out=(*result.left_out, *notes))
+    left_out = [not_read.format(known[key].name) for key in unread]
+    left_out += [not_shown.format(name) for name in sorted({key.source.word for key in hidden})]
+    return replace(result, left_out=(*result.left_out, *left_out))
