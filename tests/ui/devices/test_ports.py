@@ -131,6 +131,27 @@ def test_single_usb_adapter_is_first_and_preferred(
     assert ports.preferred == ports.find("/dev/ttyUSB0")
 
 
+def test_adapters_with_the_same_serial_number_are_identified_by_socket(
+    create_ports: CreatePorts, computer: list[ListPortInfo]
+) -> None:
+    first, second = port("/dev/ttyUSB0"), port("/dev/ttyUSB1")
+    for adapter, socket in ((first, "1-1"), (second, "1-2")):
+        adapter.vid, adapter.pid, adapter.serial_number = 0x0403, 0x6001, "A50285BI"
+        adapter.location = socket
+    computer += [first, second]
+    ports = create_ports()
+    used = ports.entries[1]
+    first.device, second.device = second.device, first.device
+    ports.refresh()
+    assert ports.current_entry(used) == ports.find("/dev/ttyUSB0"), "the names were exchanged"
+    second.location = "1-3"
+    ports.refresh()
+    assert ports.current_entry(used) is None, "either adapter may be the used one"
+    computer.remove(first)
+    ports.refresh()
+    assert ports.current_entry(used) == ports.find("/dev/ttyUSB0"), "only one adapter is left"
+
+
 def test_single_or_last_used_port_is_preferred(
     create_ports: CreatePorts, computer: list[ListPortInfo]
 ) -> None:
