@@ -173,7 +173,7 @@ def test_ctrl_c_while_connecting_sends_nothing(
     assert virtual_time.run_until(lambda: robot.host is not None, 1)
     command.send_signal(signal.SIGINT)
     errors = command.ends(1).stderr
-    assert "before anything was sent" in errors
+    assert "before anything was moved" in errors
     assert not any(servo["torque"] for servo in robot.show()["servos"])
 
 

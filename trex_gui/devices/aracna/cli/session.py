@@ -166,7 +166,7 @@ class CommandSession:
         if not self._interrupted or self.halted:
             return
         if not self._is_connected:
-            raise CommandFailed("Cancelled before anything was sent.")
+            raise CommandFailed("Cancelled before anything was moved.")
         self.halted = True
         self._inbox.put(Halt())
         state = NO_STOP.format(self._expected_seconds) if self._is_moving else "Nothing is moving."
