@@ -1847,8 +1847,8 @@
         <translation>Eingerichtet als {0}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>Aufzeichnung {0} beendet: Das Board oder seine Eingangsquelle hat sich geändert.</translation></message>
-    <message><source>Records of this board cannot be saved. {0}</source>
-        <translation>Die Daten zu diesem Board lassen sich nicht speichern. {0}</translation></message>
+    <message><source>The records of this board cannot be used. {0}</source>
+        <translation>Die Daten zu diesem Board lassen sich nicht verwenden. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>Kalibrierung von Kanal {0}: {1}</translation></message>
     <message><source>Setting</source>

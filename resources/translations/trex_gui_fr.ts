@@ -1847,8 +1847,8 @@
         <translation>Configurée comme {0}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>L'enregistrement {0} s'est terminé : la carte ou sa source des entrées a changé.</translation></message>
-    <message><source>Records of this board cannot be saved. {0}</source>
-        <translation>Les données de cette carte ne peuvent pas être enregistrées. {0}</translation></message>
+    <message><source>The records of this board cannot be used. {0}</source>
+        <translation>Les données de cette carte ne peuvent pas être utilisées. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>étalonnage de la voie {0} : {1}</translation></message>
     <message><source>Setting</source>

@@ -165,7 +165,7 @@ def test_ctrl_c_during_pose_warns_that_motion_continues(
     assert command.returncode == 0
 
 
-def test_ctrl_c_while_connecting_sends_nothing(
+def test_ctrl_c_while_connecting_moves_nothing(
     start: StartCommand, robot: SimulatedDevice, virtual_time: VirtualRuntime
 ) -> None:
     assert isinstance(robot, VirtualSimulator)

@@ -213,5 +213,5 @@ class RecordFiles(QObject):
 
     @Slot(object)
     def _on_failed(self, failure: StudioError) -> None:
-        text = tr("Records of this board cannot be saved. {0}")
+        text = tr("The records of this board cannot be used. {0}")
         self.failed.emit(text.format(error_sentence(failure)))
