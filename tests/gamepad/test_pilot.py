@@ -37,6 +37,18 @@ def test_both_axes_must_be_centred_before_driving() -> None:
     assert not request.drives
 
 
+def test_axes_must_be_centred_again_after_reset() -> None:
+    pilot = centred_pilot()
+    pilot.reset()
+    assert pilot.update(pad_state(y=-0.8)).waits_for is DriveCondition.REST
+
+
+def test_small_deflection_counts_as_centred_without_a_dead_zone() -> None:
+    pilot = Pilot(replace(PROFILE, dead_zone=0.0))
+    assert pilot.update(pad_state(x=0.06)).waits_for is DriveCondition.REST
+    assert pilot.update(pad_state(x=0.04)).waits_for is DriveCondition.HOLD
+
+
 def test_hold_button_must_be_pressed_after_arming() -> None:
     pilot = centred_pilot()
     pilot.update(pad_state(down=(HOLD,)))

@@ -356,6 +356,7 @@ def test_passing_checks_exit_0(programs: Programs, capsys: pytest.CaptureFixture
     assert bootstrap.main(["test"]) == 0
     assert [line[3] for line in last_lines(capsys)[-2:]] == ["12", "12"]
     assert programs.environment["QT_QPA_PLATFORM"] == "offscreen"
+    assert programs.environment["HYPOTHESIS_PROFILE"] == "gate"
 
 
 def test_checks_continue_after_failure(
@@ -423,7 +424,7 @@ def test_named_packages_are_created_and_checked(programs: Programs) -> None:
     assert default[-1] == str(bootstrap.PACKAGES)
 
 
-def test_demo_without_display_lists_its_screenshots(
+def test_demo_without_display_requires_and_lists_its_screenshots(
     programs: Programs,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -448,6 +449,11 @@ def test_demo_without_display_lists_its_screenshots(
     assert "There is no display" in output
     assert "demo-screenshots/boardPage.png" in output.replace("\\", "/")
     assert "of-an-earlier-run" not in output
+    programs.statuses["python"] = 3
+    assert bootstrap.main(["demo"]) == 1, "the program failed"
+    programs.statuses.clear()
+    monkeypatch.setattr(bootstrap, "run_visibly", programs.run)
+    assert bootstrap.main(["demo"]) == 1, "no screenshot was written"
 
 
 def test_pictures_are_created_offscreen_without_user_settings(
