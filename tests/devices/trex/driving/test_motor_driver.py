@@ -185,6 +185,24 @@ def test_beginning_of_a_stop_ends_refreshes_of_speeds(harness: MotorsHarness) ->
     assert not harness.motors.refresh.running
 
 
+@pytest.mark.parametrize("is_waiting", [False, True])
+def test_speed_is_not_refreshed_without_a_status(
+    harness: MotorsHarness, *, is_waiting: bool
+) -> None:
+    harness.drive(90)
+    harness.motors.retry.clear()
+    harness.driver.client.counters.corrupted = 1
+    harness.line.faults.mute = not is_waiting
+    if is_waiting:
+        harness.line.advance(1.0)
+        assert harness.driver.seconds_to_drive() <= 0
+        harness.driver.refresh_while_waiting(1.0)
+    else:
+        harness.advance(0.5)
+    refreshed = motor_commands_in(harness.transport.sent)[1:]
+    assert set(refreshed) == {DriveMotor(2, Drive.brake())}
+
+
 def test_stop_is_queued_again_when_port_is_lost(harness: MotorsHarness) -> None:
     harness.drive(90)
     harness.transport.fail = PortUnavailable("gone")

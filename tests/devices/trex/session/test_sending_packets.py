@@ -69,6 +69,12 @@ def test_missing_heartbeat_stops_typed_motor_command(harness: SessionHarness) ->
     assert (during, stopped) == ([80], [True])
 
 
+def test_close_stops_typed_motor_command(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.0, packet(1, "C2 50"))
+    run_for(harness, 1.3)
+    assert is_stopped(harness.board)
+
+
 def test_line_error_does_not_brake_typed_motor_command(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.1, harness.fault(to_drop=1)).at(1.3, packet(1, "C2 50"))
     schedule_heartbeats(harness, 1.4, 1.6)
