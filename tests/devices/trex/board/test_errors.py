@@ -69,6 +69,12 @@ def test_each_bit_is_counted_separately(errors: ErrorCounts, position: int) -> N
     assert errors.entries[position].last == TODAY
 
 
+def test_newest_error_is_listed_first(errors: ErrorCounts) -> None:
+    errors.count(report(Status.MOTOR2_FAULT), NOW, TODAY)
+    errors.count(report(UartError.CRC), NOW + 1, TODAY)
+    assert [entry.bit for entry in errors.occurred] == [UartError.CRC, Status.MOTOR2_FAULT]
+
+
 def test_each_change_is_reported() -> None:
     totals: list[int] = []
     observed = ErrorCounts(lambda: totals.append(sum(counts(observed))))

@@ -180,15 +180,20 @@ def test_changes_before_the_record_is_loaded_are_recorded(harness: MemoryHarness
     assert memory.applied is None
 
 
-@pytest.mark.parametrize("is_reset", [True, False])
+@pytest.mark.parametrize(
+    ("is_reset", "opened", "is_same"),
+    [(True, False, True), (True, True, False), (False, False, False)],
+)
 def test_board_with_another_number_is_the_same_only_after_reset(
-    harness: MemoryHarness, *, is_reset: bool
+    harness: MemoryHarness, *, is_reset: bool, opened: bool, is_same: bool
 ) -> None:
     harness.connect(with_values(NEW_BOARD, device_number=12), "")
     harness.memory.set_notes({"serial_timeout": "why"})
     if is_reset:
         harness.memory.record_reset()
-    harness.memory.set_board(NEW_BOARD, RC, NOW, opened=False)
-    assert (harness.notes == {"serial_timeout": "why"}) is is_reset
-    expected = {"trex-1.2-7"} if is_reset else {"trex-1.2-7", "trex-1.2-12"}
+    harness.memory.set_board(NEW_BOARD, RC, NOW, opened=opened)
+    assert (harness.notes == {"serial_timeout": "why"}) is is_same
+    expected = {"trex-1.2-7"} if is_same else {"trex-1.2-7", "trex-1.2-12"}
     assert harness.records.keys() == expected
+    harness.memory.set_board(with_values(NEW_BOARD, device_number=9), RC, NOW, opened=False)
+    assert not harness.notes, "only the first number after the reset belongs to this board"

@@ -39,6 +39,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
+    LeaseChanged,
     NotResponding,
     ReadReason,
     Report,
@@ -198,12 +199,14 @@ def test_error_counts_continue_if_the_board_may_be_the_same(
     assert harness.board.errors.entries[0].count == (0 if is_new else 1)
 
 
-def test_selected_board_has_its_own_error_counts(harness: MirrorHarness) -> None:
+def test_selected_board_has_its_own_errors_and_samples(harness: MirrorHarness) -> None:
     first, second = state(device_number=7), state(device_number=8, motor_mode=1)
     harness.read(first)
     harness.sample(LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART))
     for board, count, is_joint in ((second, 0, True), (first, 1, False), (second, 0, True)):
+        harness.sample(Currents(1.0, (9, 9)))
         harness.read(board, ReadReason.SELECTED)
+        assert Currents not in harness.board.newest.samples
         assert harness.board.errors.entries[0].count == count
         assert harness.board.is_joint is is_joint
 
@@ -242,11 +245,11 @@ def test_record_of_a_board_names_its_adapter(harness: MirrorHarness) -> None:
 def test_lasting_fault_is_one_event_and_recurring_fault_two(harness: MirrorHarness) -> None:
     for tenth in range(30):
         harness.sample(LatchedStatus(tenth / 10, Status.MOTOR1_FAULT, NO_UART))
-    harness.sample(LatchedStatus(9, MOTOR_STATUS, NO_UART))
+    harness.sample(LatchedStatus(4, MOTOR_STATUS, NO_UART))
     assert harness.logged == [
         (0, "fault", "Motor 1 fault"),
-        (9, "fault", "Motor 1 fault"),
-        (9, "over-limit", "Motor 2 over current limit"),
+        (4, "fault", "Motor 1 fault"),
+        (4, "over-limit", "Motor 2 over current limit"),
     ]
 
 
@@ -261,6 +264,17 @@ def test_serial_error_is_one_event_until_it_is_cleared(harness: MirrorHarness) -
         (6, "link", "Framing error"),
         (9, "timeout", "Serial timeout"),
     ]
+
+
+def test_driver_of_a_served_board_is_known_and_logged(harness: MirrorHarness) -> None:
+    alice, own = LeaseChanged("bob", "alice", False), LeaseChanged("bob", "bob", True)
+    for lease, other in ((alice, "alice"), (alice, "alice"), (own, "")):
+        harness.handle(lease)
+        assert harness.board.other_driver == other
+    assert [text for _, _, text in harness.logged] == ["Driver: alice", "Driver: this program"]
+    harness.handle(alice)
+    harness.close()
+    assert harness.board.other_driver == ""
 
 
 def test_repeated_motor_commands_are_logged(harness: MirrorHarness) -> None:
@@ -457,9 +471,10 @@ def test_motor_current_ends_safe_start(safe_start: MirrorHarness) -> None:
     assert is_held(safe_start), "one count may be noise"
     sample_channel(safe_start, 100, counts=2)
     assert not is_held(safe_start)
-    safe_start.read(state(Mode.RC), ReadReason.RESTARTED)
-    sample_channel(safe_start, 100)
-    assert is_held(safe_start)
+    for occasion, holds in ((ReadReason.RELOADED, False), (ReadReason.RESTARTED, True)):
+        safe_start.read(state(Mode.RC), occasion)
+        sample_channel(safe_start, 100)
+        assert is_held(safe_start) is holds
 
 
 def test_signal_loss_of_required_channel_restarts_safe_start(safe_start: MirrorHarness) -> None:

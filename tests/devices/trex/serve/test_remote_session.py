@@ -130,7 +130,10 @@ def test_slow_stop_has_one_outcome(network: Network, monkeypatch: pytest.MonkeyP
     assert len(network.requests) == 1
 
 
-def test_lost_stop_is_sent_before_arming_and_not_after(network: Network) -> None:
+def test_lost_stop_is_sent_before_arming_and_not_after(
+    network: Network, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tests.devices.trex.serve.test_remote_session._REPLY_S", 1.0)
     script: list[Step] = [
         (0.5, AskLease()),
         (1.0, False),
@@ -163,3 +166,9 @@ def test_stop_leaves_a_write_that_waits_for_the_lease(network: Network) -> None:
 def test_request_that_waits_for_the_lease_ends_with_the_session(network: Network) -> None:
     script: list[Step] = [(1.0, False), (1.0, Write(3, ())), (1.0, Close())]
     assert outcomes(network.run(script)) == [3]
+
+
+def test_request_fails_without_an_answer_about_the_lease(network: Network) -> None:
+    script: list[Step] = [(1.0, False), (1.0, Write(3, ())), (1.1, True), (6.0, AskLease())]
+    network.run([*script, (7.0, Close())])
+    assert Write not in [kind for _, kind in network.requests]

@@ -20,6 +20,7 @@ from trex_gui.devices.trex.driving.requests import (
     MotorsStopped,
     SetAuxiliary,
     SetMotor,
+    SetMotors,
     Stop,
 )
 from trex_gui.devices.trex.protocol.commands import (
@@ -284,10 +285,12 @@ def test_driver_drives_each_board_of_a_line(line: ServerHarness) -> None:
     line.send("watcher", AskLease(), setpoint)
     line.send("alice", setpoint)
     assert line.kinds() == []
-    line.send("alice", AskLease(), Arm(), setpoint)
+    line.send("alice", AskLease(), Arm(), Stop(3), setpoint)
     assert line.session[-1] == setpoint
     line.send("alice", ToBoard(9, SetMotor(3, Drive.at(1))), ToBoard(5, setpoint.request))
     assert line.session[-1] == setpoint, "motor 3 and board 5 do not exist"
+    line.send("alice", ToBoard(9, Arm()), ToBoard(9, Heartbeat()))
+    assert line.session[-1] == setpoint, "only all boards are armed"
     line.send("watcher", ToBoard(9, Stop(4)))
     assert isinstance(line.session[-1], Stop), "a stop applies to all boards"
 
@@ -353,7 +356,12 @@ def test_watcher_receives_no_lease(harness: ServerHarness) -> None:
 
 @pytest.mark.parametrize(
     "request_",
-    [SetMotor(7, Drive.at(50)), SetMotor(1, Drive(Direction.FORWARD, 128)), SetAuxiliary(-1)],
+    [
+        SetMotor(7, Drive.at(50)),
+        SetMotor(1, Drive(Direction.FORWARD, 128)),
+        SetMotors((SetMotor(1, Drive.at(5)), SetMotor(1, Drive.at(6)))),
+        SetAuxiliary(-1),
+    ],
 )
 def test_invalid_setpoint_is_rejected(harness: ServerHarness, request_: object) -> None:
     harness.send("alice", AskLease(), request_)
@@ -423,7 +431,7 @@ def test_stop_is_served_beside_a_flood_of_the_same_user(harness: ServerHarness) 
 
 def test_pending_stop_completes_later_stop_requests(harness: ServerHarness) -> None:
     for number in range(1, 6):
-        harness.send("watcher", Stop(number))
+        harness.send("watcher", Stop(number), Stop(number))
     harness.send("bob", Stop(9))
     assert harness.kinds() == [Stop]
     harness.server.report(Outcome(harness.session[-1].id))
@@ -442,12 +450,17 @@ def test_stop_after_a_setpoint_is_sent_again(
     assert harness.kinds() == [Stop, *map(type, setpoint), Stop]
 
 
-def test_client_has_one_pending_request_in_the_session(harness: ServerHarness) -> None:
-    harness.send("alice", AskLease(), *(Reload(number) for number in range(1, 15)))
-    assert harness.kinds() == [Reload]
-    assert len(of_type(harness.received["alice"], Outcome)) == 14 - MAX_JOBS - 1
+@pytest.mark.parametrize(
+    ("user", "job"), [("alice", Reload(5)), ("watcher", packet(GetSignature()))]
+)
+def test_client_has_one_pending_request_in_the_session(
+    harness: ServerHarness, user: str, job: object
+) -> None:
+    harness.send(user, AskLease(), *[job] * 14)
+    assert harness.kinds() == [type(job)]
+    assert len(of_type(harness.received[user], Outcome)) == 14 - MAX_JOBS - 1
     harness.server.report(Outcome(harness.session[-1].id))
-    assert harness.kinds() == [Reload, Reload]
+    assert harness.kinds() == [type(job)] * 2
 
 
 def test_lost_lease_cancels_queued_requests(harness: ServerHarness) -> None:
@@ -500,6 +513,7 @@ def test_lease_without_heartbeats_ends_with_a_stop(harness: ServerHarness) -> No
     harness.server.step()
     assert harness.kinds() == [Arm]
     harness.now += 0.002
+    harness.send("bob", Alive(), Heartbeat())
     harness.server.step()
     assert harness.kinds() == [Arm, Stop]
     harness.server.report(Outcome(harness.session[-1].id))
@@ -507,6 +521,11 @@ def test_lease_without_heartbeats_ends_with_a_stop(harness: ServerHarness) -> No
     assert harness.lease_of("bob").driver == ""
     harness.send("alice", Alive(), SetAuxiliary(5))
     assert harness.kinds() == [Arm, Stop], "a late heartbeat restores no lease"
+
+
+def test_session_receives_heartbeats_without_the_time_of_the_client(harness: ServerHarness) -> None:
+    harness.send("alice", AskLease(), Heartbeat(1e9))
+    assert harness.session[-1] == Heartbeat()
 
 
 def test_late_heartbeats_do_not_extend_a_lease(harness: ServerHarness) -> None:
@@ -538,12 +557,14 @@ def test_driver_hands_lease_over_to_waiting_user(harness: ServerHarness) -> None
     harness.send("alice", AskLease(), Arm())
     harness.send("bob", AskLease())
     assert harness.lease_of("alice").waiting == ("bob",)
-    harness.send("bob", HandOver("bob"))
+    harness.send("bob", ReturnLease())
+    assert harness.lease_of("alice").waiting == ()
+    harness.send("bob", AskLease(), HandOver("bob"))
     assert harness.lease_of("alice").is_mine, "only the driver hands the lease over"
     harness.send("alice", HandOver("nobody"))
     assert harness.lease_of("alice").is_mine
     harness.send("alice", HandOver("bob"), SetAuxiliary(1))
-    assert harness.lease_of("bob").is_mine
+    assert (harness.lease_of("bob").is_mine, harness.lease_of("bob").waiting) == (True, ())
     assert harness.kinds() == [Arm, Stop], "the motors stop before the next driver"
     harness.send("bob", Arm())
     assert harness.kinds() == [Arm, Stop, Arm]

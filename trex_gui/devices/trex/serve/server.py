@@ -510,7 +510,7 @@ class BoardServer:
             self._clients.clear()
             self._outcomes.clear()
             self._speeds.clear()
-            self.lease = Lease(number=self.lease.number)
+            self.lease = Lease()
 
     def _lease_for(self, client: _Client) -> LeaseChanged:
         lease = self.lease
