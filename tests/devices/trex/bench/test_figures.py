@@ -48,9 +48,16 @@ def test_gap_in_readings_adds_no_charge() -> None:
     assert result.mean == pytest.approx(3.6)
 
 
-def test_peak_excludes_the_current_after_the_end() -> None:
-    run = run_of([(0.1, 1.0), (0.5, 1.0), (1.2, 50.0)], ended=1.0, end=End.RELEASED)
+def test_peak_excludes_the_current_before_start_and_after_end() -> None:
+    currents = [(-0.1, 60.0), (0.1, 1.0), (0.5, 1.0), (1.2, 50.0)]
+    run = run_of(currents, ended=1.0, end=End.RELEASED)
     assert figures(run).peak == 1.0
+
+
+def test_run_has_no_setpoint_or_current_outside_its_times() -> None:
+    run = run_of([(0.1, 1.0), (0.5, 2.0)], ended=0.3)
+    assert [run.setpoint_at(time) for time in (-0.1, 0.0, 0.3, 0.4)] == [0, 40, 40, 0]
+    assert [run.current_at(time) for time in (0.0, 0.3, 0.5, 0.6)] == [None, 1.0, 2.0, None]
 
 
 def test_run_without_readings_has_empty_figures() -> None:
@@ -91,10 +98,18 @@ def test_steady_current_of_ramp_follows_its_rise() -> None:
     assert result.steady == pytest.approx(5.0)
 
 
-def test_run_released_early_has_no_steady_current() -> None:
-    result = figures(run_of(readings((0.3, 5.0)), ended=0.3, end=End.RELEASED))
-    assert result.steady is None
+@pytest.mark.parametrize(("ended", "steady"), [(0.3, None), (1.0, 5.0)])
+def test_steady_current_of_released_run_needs_0_4_seconds(
+    ended: float, steady: float | None
+) -> None:
+    result = figures(run_of(readings((ended, 5.0)), ended=ended, end=End.RELEASED))
+    assert result.steady == steady
     assert result.mean == pytest.approx(5.0)
+
+
+def test_noise_of_two_counts_counts_as_settled() -> None:
+    low_current = [(index / RATE, 0.45 if index % 2 else 0.15) for index in range(2 * RATE)]
+    assert figures(run_of(low_current)).settled == 0
 
 
 def test_oscillating_current_never_settles() -> None:

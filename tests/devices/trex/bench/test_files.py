@@ -71,6 +71,7 @@ def test_file_header_lists_motor_shape_and_settings() -> None:
         ("time_s,", "seconds,", "expected the columns time_s, setpoint, current_a"),
         ("0.0250,40,4.5000", "0.0250,40", "line 17: invalid row “0.0250,40”"),
         ("0.0250,40,4.5000", "0.0250,40,many", "line 17: invalid row “0.0250,40,many”"),
+        ("0.0250,40,4.5000", "0.0250,40,nan", "line 17: invalid row “0.0250,40,nan”"),
     ],
 )
 def test_damaged_file_is_rejected_with_a_reason(old: str, new: str, words: str) -> None:

@@ -18,6 +18,7 @@ import math
 from collections.abc import Callable, Iterable
 from datetime import datetime
 from itertools import takewhile
+from operator import itemgetter
 from pathlib import Path
 from typing import TypeVar
 
@@ -59,9 +60,9 @@ def to_csv(run: Run) -> str:
     out.seek(0, io.SEEK_END)
     table = csv.writer(out, lineterminator="\n")
     table.writerow(_COLUMNS)
-    setpoints = [(time, 0, f"{speed}", "") for time, speed in run.setpoints]
-    readings = [(time, 1, f"{run.setpoint_at(time)}", f"{amps:.4f}") for time, amps in run.currents]
-    for time, _, speed, amps in sorted(setpoints + readings, key=lambda row: row[:2]):
+    rows = [(time, f"{speed}", "") for time, speed in run.setpoints]
+    rows += [(time, f"{run.setpoint_at(time)}", f"{amps:.4f}") for time, amps in run.currents]
+    for time, speed, amps in sorted(rows, key=itemgetter(0)):
         table.writerow([f"{time:.4f}", speed, amps])
     return out.getvalue()
 
