@@ -42,6 +42,7 @@ def written(stream: Stream, text: str, replace: Replace) -> bytes:
     replace("stdout", stream)
     with standard_streams():
         click.echo(text)
+    assert sys.stdout is stream
     return stream.bytes.getvalue()
 
 

@@ -62,18 +62,23 @@ def test_full_name_of_the_computer_is_masked(number: int) -> None:
 
 
 def test_common_and_short_names_are_not_masked() -> None:
-    assert Mask("/root", "root", "pi").clean("root of /root/x, pi") == "root of ~/x, pi"
-    assert Mask("/", "me", "").clean("some /me") == "some /me"
+    assert Mask("/root", "Root", "pi").clean("Root of /root/x, pi") == "Root of ~/x, pi"
+    assert Mask("/", "me", "").clean("some / of me") == "some / of me"
+
+
+def test_home_folder_of_windows_is_masked_with_either_slash() -> None:
+    mask = Mask(r"C:\Users\Mary Ann")
+    assert mask.clean(r"C:\Users\Mary Ann\x, C:/Users/Mary Ann/y") == r"~\x, ~/y"
 
 
 def test_report_contains_parts_and_reasons_for_missing_parts(tmp_path: Path) -> None:
     def fail() -> str:
         raise StudioError("No TReX responds on /home/mary/port.")
 
-    parts = {"log.txt": lambda: "by mary\n", "status.txt": fail, "empty.txt": lambda: ""}
+    parts = {"log.txt": lambda: "by mary \udce9\n", "status.txt": fail, "empty.txt": lambda: ""}
     files = create_report(parts, MASK)
     texts = {file.name: file.text for file in files}
-    assert texts["log.txt"] == "by <user>\n"
+    assert texts["log.txt"] == "by <user> \udce9\n"
     assert texts["status.txt"] == "Not available: No TReX responds on ~/port.\n"
     assert "empty.txt" not in texts
     assert "Python: " in texts["versions.txt"]
@@ -83,7 +88,7 @@ def test_report_contains_parts_and_reasons_for_missing_parts(tmp_path: Path) -> 
     save_report(path, files)
     with zipfile.ZipFile(path) as archive:
         assert archive.namelist() == [file.name for file in files]
-        assert archive.read("log.txt") == b"by <user>\n"
+        assert archive.read("log.txt") == b"by <user> \\udce9\n"
 
 
 def test_report_contains_newest_entries_of_all_log_files(monkeypatch: pytest.MonkeyPatch) -> None:
