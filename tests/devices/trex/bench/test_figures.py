@@ -99,9 +99,7 @@ def test_steady_current_of_ramp_follows_its_rise() -> None:
 
 
 @pytest.mark.parametrize(("ended", "steady"), [(0.3, None), (1.0, 5.0)])
-def test_steady_current_of_released_run_needs_0_4_seconds(
-    ended: float, steady: float | None
-) -> None:
+def test_only_a_long_enough_run_has_a_steady_current(ended: float, steady: float | None) -> None:
     result = figures(run_of(readings((ended, 5.0)), ended=ended, end=End.RELEASED))
     assert result.steady == steady
     assert result.mean == pytest.approx(5.0)
