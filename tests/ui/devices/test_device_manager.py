@@ -32,6 +32,9 @@ class FakeDevice(QObject):
     status = line_text = unconfirmed_stop = ""
     demo_in_use = has_line_settings = is_busy = False
 
+    def select(self, port: Port) -> None:
+        self.calls.append(f"select {port.url}")
+
     def connect_to(self, port: Port) -> None:
         self.calls.append(f"connect {port.url}")
         self.port = port
@@ -143,6 +146,21 @@ def test_last_selected_port_is_connected(devices: Devices) -> None:
     assert not devices.manager.switch_to("second", lambda: None), "a connection is pending"
     devices.first.set_link(ConnectionState.DISCONNECTED)
     assert devices.second.calls == ["with 9600 baud", "connect c"]
+
+
+def test_port_is_selected_only_by_an_idle_device_of_its_kind(devices: Devices) -> None:
+    devices.manager.select(port("a", "second"))
+    devices.manager.select(port("b", "first"))
+    devices.manager.connect_to(port("c", "first"))
+    devices.manager.select(port("d", "first"))
+    assert devices.calls == [["select b", "connect c"], []]
+
+
+def test_disconnection_by_the_user_ends_with_the_next_connection(devices: Devices) -> None:
+    devices.manager.disconnect_device()
+    assert devices.manager.user_disconnected
+    devices.manager.connect_to(port("a", "first"))
+    assert not devices.manager.user_disconnected
 
 
 def test_switch_waits_for_disconnection(devices: Devices) -> None:
