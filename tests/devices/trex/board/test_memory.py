@@ -129,6 +129,18 @@ def test_only_new_board_at_known_adapter_may_have_lost_number(
     assert not harness.connect(with_values(NEW_BOARD, device_number=number), adapter)
 
 
+def test_record_of_a_lost_board_counts_only_for_its_request(harness: MemoryHarness) -> None:
+    harness.connect(NEW_BOARD, ADAPTER)
+    harness.write(device_number=12, serial_timeout=15)
+    (lost,) = harness.records.values()
+    harness.connect(NEW_BOARD, OTHER_ADAPTER)
+    harness.memory.set_lost(BoardIdentity.of(lost.settings), lost)
+    assert not harness.memory.differing.rows, "the request was for another board"
+    assert harness.connect(NEW_BOARD, ADAPTER)
+    harness.memory.record_reset()
+    assert not harness.memory.differing.rows
+
+
 def test_restored_number_restores_the_notes(harness: MemoryHarness) -> None:
     notes = {"serial_timeout": "The radio drops out."}
     harness.connect(NEW_BOARD, ADAPTER)
