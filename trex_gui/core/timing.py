@@ -42,7 +42,7 @@ class Timeouts:
         guardian: the guardian process stops the motors after this time without a heartbeat from
             the session.
         stop_confirmation: time after which an unconfirmed stop is reported. At 19200 baud and
-            above, a line that corrupts bytes becomes quiet 1.6 s after the last error.
+            above, a line that corrupts bytes becomes quiet 2 s after the last error.
         retry: pause between two attempts to reach a silent board.
         current_gap: a bench test is aborted after this time without a current reading.
         standstill: maximum time for which a motor may draw current after a confirmed stop.

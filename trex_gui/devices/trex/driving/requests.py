@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, DriveBoth, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
@@ -98,7 +97,7 @@ def is_valid(request: SetpointRequest) -> bool:
     try:
         for command in packets(setpoints):
             Framing().encode(command)
-    except BadRequest:
+    except (ValueError, OverflowError):  # `BadRequest` is a `ValueError`
         return False
     return len({setpoint.motor for setpoint in setpoints}) == len(setpoints)
 

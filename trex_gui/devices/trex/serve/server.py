@@ -19,11 +19,10 @@ from trex_gui.devices.trex.driving.requests import (
     SetAuxiliary,
     SetpointRequest,
     Stop,
-    packets,
+    is_valid,
     setpoints_in,
 )
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError, TrexRequestError
-from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.serve.codec import (
     MAX_REQUEST_SIZE,
@@ -305,7 +304,7 @@ class BoardServer:
             self._request_next_job(client)
         elif isinstance(request, _EXPIRING) and age > LEASE_TIMEOUT:
             self._refuse("too old")
-        elif isinstance(request, SetpointRequest) and not _is_possible(request):
+        elif isinstance(request, SetpointRequest) and not is_valid(request):
             self._refuse("impossible setpoint")
         elif isinstance(request, Heartbeat):
             self._request(Heartbeat())  # a new heartbeat has the time of this computer
@@ -557,14 +556,3 @@ def _is_for(report: Report, watched: SetWatched) -> bool:
     if isinstance(report, Traffic):
         return watched.traffic
     return watched.watched or not isinstance(report, Batch)
-
-
-def _is_possible(request: SetpointRequest) -> bool:
-    setpoints = setpoints_in(request)
-    motors = [setpoint.motor for setpoint in setpoints]
-    try:
-        for command in packets(setpoints):
-            Framing(None, None).encode(command)
-    except (BadRequest, ValueError, OverflowError):
-        return False
-    return len(set(motors)) == len(motors)
