@@ -6,6 +6,7 @@ import pytest
 from PySide6.QtCore import QObject, Signal
 
 from tests.support.program import new_plugin
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.devices.device_manager import Controller, DeviceManager
@@ -161,6 +162,20 @@ def test_disconnection_by_the_user_ends_with_the_next_connection(devices: Device
     assert devices.manager.user_disconnected
     devices.manager.connect_to(port("a", "first"))
     assert not devices.manager.user_disconnected
+
+
+def test_callback_runs_once_after_the_next_connection(
+    devices: Devices, virtual_time: VirtualRuntime
+) -> None:
+    calls: list[str] = []
+    devices.manager.when_connected(lambda: calls.append("connected"))
+    devices.first.set_link(ConnectionState.CONNECTING)
+    virtual_time.advance(0.01)
+    assert calls == []
+    for _ in range(2):
+        devices.first.set_link(ConnectionState.CONNECTED)
+        virtual_time.advance(0.01)
+    assert calls == ["connected"]
 
 
 def test_switch_waits_for_disconnection(devices: Devices) -> None:
