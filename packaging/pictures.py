@@ -97,11 +97,12 @@ class HelpTour(Tour):
         self.digests: dict[str, str] = {}
         self._wanted = wanted
 
-    def write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
-        if self._wanted is None or name in self._wanted:
-            text = "\n".join(sorted(fixed_texts(widget)))
-            self.digests[name] = hashlib.sha256(text.encode()).hexdigest()[:16]
-            super().write(widget, name, scheme)
+    def write(self, widget: QWidget, name: str, scheme: Scheme) -> bool:
+        if self._wanted is not None and name not in self._wanted:
+            return True
+        text = "\n".join(sorted(fixed_texts(widget)))
+        self.digests[name] = hashlib.sha256(text.encode()).hexdigest()[:16]
+        return super().write(widget, name, scheme)
 
 
 def wanted_pictures() -> set[str]:

@@ -102,10 +102,10 @@ def test_repeated_entry_is_written_again_after_a_period(monkeypatch: pytest.Monk
 
     def repeat() -> None:
         for _ in range(2):
-            log.info("the same \udce9")
+            log.info("the same")
 
     lines = written(say=repeat).splitlines()
-    assert [line.partition(": ")[2] for line in lines] == [r"the same \udce9"] * 2
+    assert [line.partition(": ")[2] for line in lines] == ["the same"] * 2
 
 
 def _folder_in_place() -> None:

@@ -33,6 +33,7 @@ def dialog(qtbot: QtBot) -> Iterator[HistoryDialog]:
 
 
 def test_empty_history_explains_snapshots(dialog: HistoryDialog) -> None:
+    assert not dialog.root.findChild(QPushButton, "nameSnapshotButton").isEnabled()
     dialog.open()
     empty = dialog.find(QLabel, "historyEmpty")
     dialog.wait(empty.isVisible)
