@@ -33,7 +33,8 @@ def dialog(qtbot: QtBot) -> Iterator[HistoryDialog]:
 
 
 def test_empty_history_explains_snapshots(dialog: HistoryDialog) -> None:
-    assert not dialog.root.findChild(QPushButton, "nameSnapshotButton").isEnabled()
+    (name,) = dialog.root.findChildren(QPushButton, "nameSnapshotButton")
+    assert not name.isEnabled()
     dialog.open()
     empty = dialog.find(QLabel, "historyEmpty")
     dialog.wait(empty.isVisible)

@@ -95,8 +95,8 @@ class HistoryDialog(ReusedDialog):
         halves.setSizes([560, 620])
         restore_geometry(self, "history", 1180, 640)
 
-        for button in (self._save, self._name, self._delete):
-            button.setEnabled(False)  # until a snapshot is selected
+        for each in (self._save, self._name, self._delete):
+            each.setEnabled(False)  # until a snapshot is selected
         self._save.clicked.connect(self._on_save_clicked)
         self._name.clicked.connect(self._on_name_clicked)
         self._delete.clicked.connect(self._on_delete_clicked)
