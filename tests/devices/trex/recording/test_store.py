@@ -65,6 +65,16 @@ def test_hour_at_full_rate_is_read_back_unchanged(folder: Path) -> None:
     assert read_file(path) == (HEADER, records, [])
 
 
+def test_chunks_are_read_in_any_order(
+    folder: Path, ten_seconds: tuple[bytes, list[Record]]
+) -> None:
+    _, records = ten_seconds
+    recording = open_recording(folder / "ten.trexrec")
+    for first in reversed(range(0, len(records), CHUNK)):
+        assert recording.read(first + 1, first + CHUNK) == records[first : first + CHUNK]
+    recording.close()
+
+
 def test_tables_are_readable_without_the_program(
     folder: Path, ten_seconds: tuple[bytes, list[Record]]
 ) -> None:
