@@ -12,7 +12,9 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import MAX_FINDINGS, read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
+TIMEOUT_RANGE = "serial_timeout: must be 0 to 127 (off to 12.7 s)"
 UART_RANGE = "must be a baud rate, error detection and stop bits (low four bits 0 to 10)"
+PRODUCT_CHOICE = "line 1: product: must be TReX or TReX Jr"
 EITHER_PRODUCT = "'product: TReX' or 'product: TReX Jr'"
 FOREIGN = "line 1: these are not settings of a TReX, which begin with 'product: TReX'"
 
@@ -74,33 +76,18 @@ def test_unknown_firmware_gives_warning() -> None:
 @pytest.mark.parametrize(
     ("setting", "sentence"),
     [
-        ("serial_timeout: 300", "serial_timeout: must be 0 to 127 (off to 12.7 s), not 300"),
-        ("serial_timeout: 1.5", "serial_timeout: must be 0 to 127 (off to 12.7 s), not 1.5"),
-        (
-            "serial_timeout: 1.5 s",
-            "serial_timeout: must be 0 to 127 (off to 12.7 s), not 1.5 s; write 15 for 1.5 s",
-        ),
+        ("serial_timeout: 300", f"{TIMEOUT_RANGE}, not 300"),
+        ("serial_timeout: 1.5", f"{TIMEOUT_RANGE}, not 1.5"),
+        ("serial_timeout: 1.5 s", f"{TIMEOUT_RANGE}, not 1.5 s; write 15 for 1.5 s"),
         (
             "serial_timeout: 1,000 ms",
-            (
-                "serial_timeout: must be 0 to 127 (off to 12.7 s), not 1,000 ms; "
-                "1,000 is ambiguous: write 1 or 1000"
-            ),
+            f"{TIMEOUT_RANGE}, not 1,000 ms; 1,000 is ambiguous: write 1 or 1000",
         ),
-        (
-            "serial_timeout: '5'",
-            "serial_timeout: must be 0 to 127 (off to 12.7 s), not 5 in quotes; write 5",
-        ),
-        ("serial_timeout:", "serial_timeout: must be 0 to 127 (off to 12.7 s), not nothing"),
-        ("serial_timeout: [5]", "serial_timeout: must be 0 to 127 (off to 12.7 s), not a list"),
-        (
-            "serial_timeout: {a: 5}",
-            "serial_timeout: must be 0 to 127 (off to 12.7 s), not a group of settings",
-        ),
-        (
-            "serial_timeout: |\n  5",
-            "serial_timeout: must be 0 to 127 (off to 12.7 s), not a block of text",
-        ),
+        ("serial_timeout: '5'", f"{TIMEOUT_RANGE}, not 5 in quotes; write 5"),
+        ("serial_timeout:", f"{TIMEOUT_RANGE}, not nothing"),
+        ("serial_timeout: [5]", f"{TIMEOUT_RANGE}, not a list"),
+        ("serial_timeout: {a: 5}", f"{TIMEOUT_RANGE}, not a group of settings"),
+        ("serial_timeout: |\n  5", f"{TIMEOUT_RANGE}, not a block of text"),
         ("device_number: 010", "device_number: must be 0 to 127, not 010"),
         ("device_number: true", "device_number: must be 0 to 127, not true"),
         (f"device_number: {'9' * 5000}", f"device_number: must be 0 to 127, not {'9' * 40}…"),
@@ -175,22 +162,10 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
     [
         (
             "product: Tic T825\ncontrol_mode: serial\n",
-            (
-                "line 1: product: must be TReX or TReX Jr, not Tic T825; "
-                "these are not settings of a TReX"
-            ),
+            f"{PRODUCT_CHOICE}, not Tic T825; these are not settings of a TReX",
         ),
-        (
-            "product: trex jr\n",
-            "line 1: product: must be TReX or TReX Jr, not trex jr; did you mean TReX Jr?",
-        ),
-        (
-            "product:\n",
-            (
-                "line 1: product: must be TReX or TReX Jr, not nothing; "
-                "these are not settings of a TReX"
-            ),
-        ),
+        ("product: trex jr\n", f"{PRODUCT_CHOICE}, not trex jr; did you mean TReX Jr?"),
+        ("product:\n", f"{PRODUCT_CHOICE}, not nothing; these are not settings of a TReX"),
         (
             "\nserial_timeout: 5\n",
             f"line 1: the first setting must be {EITHER_PRODUCT}, but this file has no product",
