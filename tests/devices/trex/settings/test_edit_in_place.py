@@ -86,15 +86,12 @@ def test_number_keeps_its_base_and_width(old: str, wire: int, new: str) -> None:
     assert text == f"product: TReX\ndevice_number: {new}\n"
 
 
-@pytest.mark.parametrize("comment", ["#off", "# off, for the bench", "# Off", "#", "# 0 s"])
+@pytest.mark.parametrize(
+    "comment", ["#off", "# off, for the bench", "# Off", "#", "# 0 s", "\n# off"]
+)
 def test_comment_of_user_is_unchanged(comment: str) -> None:
     text = amended(f"product: TReX\nserial_timeout: 0 {comment}\n", serial_timeout=5)
     assert text == f"product: TReX\nserial_timeout: 5 {comment}\n"
-
-
-def test_comment_on_its_own_line_is_unchanged() -> None:
-    before = "product: TReX\nserial_timeout: 0\n# off\n"
-    assert amended(before, serial_timeout=5) == before.replace(": 0", ": 5")
 
 
 def test_comment_retains_its_column_if_space_allows() -> None:
@@ -164,16 +161,11 @@ def test_line_endings_and_byte_order_mark_are_unchanged(end: str, mark: str, las
         ("'product': 'TReX'  # mine\n", "'product': 'TReX Jr'  # mine\n"),
         ('product:\n  "TReX"\n', 'product:\n  "TReX Jr"\n'),
         ("product: |-  # mine\n  TReX\n\n# end\n", "product: |-  # mine\n  TReX Jr\n\n# end\n"),
-        ("product: >-\n\n\n  TReX\n", None),
         ("{product: TReX}", "{product: TReX Jr}"),
     ],
 )
-def test_product_changes_and_keeps_its_quoting(before: str, after: str | None) -> None:
-    if after is None:
-        with pytest.raises(SettingsError):
-            read_settings(before)
-    else:
-        assert amend(before, Settings(TREX_JR)) == after
+def test_product_changes_and_keeps_its_quoting(before: str, after: str) -> None:
+    assert amend(before, Settings(TREX_JR)) == after
 
 
 def test_generated_comment_follows_changed_product() -> None:
@@ -243,7 +235,10 @@ def test_invalid_value_becomes_comment_only_once() -> None:
 # --- Rejected edits ---------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("text", ["", "product: Tic\n", "product: TReX\nserial_timeout: 300\n"])
+@pytest.mark.parametrize(
+    "text",
+    ["", "product: Tic\n", "product: TReX\nserial_timeout: 300\n", "product: >-\n\n\n  TReX\n"],
+)
 def test_unreadable_text_is_not_edited(text: str) -> None:
     with pytest.raises(SettingsError) as caught:
         amend(text, factory(), "bench.txt")

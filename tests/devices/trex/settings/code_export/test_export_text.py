@@ -26,7 +26,6 @@ from trex_gui.core.code import Language, plain
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -222,32 +221,16 @@ def test_file_is_named_after_board_and_language() -> None:
     assert file_name(factory(), Language.PYTHON) == "trex_board.py"
 
 
-@pytest.mark.parametrize("model", [TREX, TREX_JR], ids=["trex", "trexjr"])
-def test_power_cycle_parameters_have_highest_numbers(model: Model) -> None:
-    flags = [spec.needs_power_cycle for spec in Settings(model).specs]
-    assert flags == sorted(flags)
-
-
 # --- Special characters ------------------------------------------------------------------
 
 SPECIAL = '*/ "??/ \\ µΩ\n# /* %d {x} """ \' \x00 \u202e @baud@ \\'
 
 
-@pytest.mark.parametrize(
-    "unsafe", ["*/", "/*", "a*/*b", "??/", "????=", "\\", '"', "\n", "\r", "\0"]
-)
-def test_plain_removes_characters_unsafe_in_code(unsafe: str) -> None:
-    code = plain(f"before{unsafe}after")
-    assert code.isascii()
-    assert code.isprintable()
-    assert not re.search(r'\*/|/\*|\?\?|"|\\', code)
+@given(st.text() | st.text(st.sampled_from('*/?=\\"\n\r\0a'), max_size=6))
+def test_plain_is_safe_and_idempotent_for_any_text(text: str) -> None:
+    code = plain(f"before{text}after")
     assert code.startswith("before")
     assert code.endswith("after")
-
-
-@given(st.text())
-def test_plain_is_safe_and_idempotent_for_any_text(text: str) -> None:
-    code = plain(text)
     assert not re.search(r'[^ -~]|\*/|/\*|\?\?|"|\\', code)
     assert plain(code) == code
 

@@ -194,37 +194,35 @@ def test_currents_and_faults_can_be_read(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("exported", "connected"), [("trex", "trexjr"), ("trexjr", "trex")])
+@pytest.mark.parametrize(
+    ("exported", "connected", "mode", "words"),
+    [
+        ("trex", "trexjr", "serial", ["settings are for a TReX"]),
+        ("trexjr", "trex", "serial", ["settings are for a TReX Jr"]),
+        ("trex", "trex", "rc", ["not in serial mode", "mode jumper"]),
+    ],
+)
 @every_language
-def test_settings_for_other_board_model_are_not_written(
-    language: Language, exported: str, connected: str, boards: Boards, tmp_path: Path
+def test_unsuitable_board_is_neither_written_nor_driven(
+    language: Language,
+    exported: str,
+    connected: str,
+    mode: str,
+    words: list[str],
+    boards: Boards,
+    tmp_path: Path,
 ) -> None:
     line = link(crc=True)
     board = boards.board(line, connected)
+    board.do(f"jumper mode {mode}", "power cycle")
     settings = settings_for(line, exported)
     program = prepared_program(tmp_path, settings, line, language, drive=True)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
-    assert f"settings are for a {settings.product.name}" in process.stdout
+    assert all(text in process.stdout for text in words)
     assert "Traceback" not in process.stdout
     assert board.writes == 0
     assert board.motors == (0, 0)
-
-
-@pytest.mark.slow
-@every_language
-def test_board_outside_serial_mode_is_not_written(
-    language: Language, boards: Boards, tmp_path: Path
-) -> None:
-    board = boards.board(link())
-    board.do("jumper mode rc")
-    board.do("power cycle")
-    program = prepared_program(tmp_path, settings_for(link()), link(), language, drive=True)
-    process = program.run(board.url, drive=True)
-    assert process.returncode == 1
-    assert "not in serial mode" in process.stdout
-    assert "mode jumper" in process.stdout
-    assert board.writes == 0
 
 
 @pytest.mark.slow
