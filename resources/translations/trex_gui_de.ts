@@ -1081,10 +1081,14 @@
         <translation>gespeicherte Einstellungen</translation></message>
     <message><source>device number {0}</source>
         <translation>Gerätenummer {0}</translation></message>
+    <message><source>Only the full search finds a board with a custom CRC polynomial.</source>
+        <translation>Ein Board mit eigenem CRC-Polynom findet nur die vollständige Suche.</translation></message>
     <message><source> It also echoes what is sent.</source>
         <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
     <message><source>After a power cycle, it will run at {0}.</source>
         <translation>Nach dem Aus- und Einschalten läuft es mit {0}.</translation></message>
+    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (an RS-232 adapter: to the RS-232 pins), and that ground is connected.</source>
+        <translation>An {0} antwortet kein TReX, bei keiner Baudrate, mit keiner Parität und nicht mit CRC. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt) und ob die Masse verbunden ist.</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. Either it is another device, or the line is noisy.</source>
         <translation>An {0} ist etwas angeschlossen, das aber nicht wie ein TReX antwortet: Es hat {1} mit {2} gesendet{3}. Es ist ein anderes Gerät, oder die Leitung ist gestört.</translation></message>
     <message><source>It is set to {0} baud, but with this setting, firmware {1} runs at half the rate: connect at {2} baud.</source>
@@ -1093,8 +1097,6 @@
         <translation>Es ist auf {0} Stoppbits eingestellt; an dieser Leitung funktioniert beides.</translation></message>
     <message><source> The port does not support {0} baud, so the scan skipped these settings.</source>
         <translation> Der Port unterstützt {0} Baud nicht, daher wurden diese Einstellungen ausgelassen.</translation></message>
-    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (an RS-232 adapter: to the RS-232 pins), and that ground is connected. Only the full scan finds a board with a custom CRC polynomial.</source>
-        <translation>An {0} antwortet kein TReX, bei keiner Baudrate, mit keiner Parität und nicht mit CRC. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt) und ob die Masse verbunden ist. Ein Board mit eigenem CRC-Polynom findet nur die vollständige Suche.</translation></message>
     <message><source>, and data at {0} other settings</source>
         <translation>, und bei {0} weiteren ebenfalls etwas</translation></message>
     <message><source>Its UART settings have the unknown value {0:#04x}.</source>

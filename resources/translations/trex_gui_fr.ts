@@ -1081,10 +1081,14 @@
         <translation>réglages enregistrés</translation></message>
     <message><source>device number {0}</source>
         <translation>numéro d'appareil {0}</translation></message>
+    <message><source>Only the full search finds a board with a custom CRC polynomial.</source>
+        <translation>Une carte dont le polynôme CRC est personnalisé n'est trouvée que par la recherche complète.</translation></message>
     <message><source> It also echoes what is sent.</source>
         <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
     <message><source>After a power cycle, it will run at {0}.</source>
         <translation>Une fois l'alimentation coupée et remise, elle fonctionnera à {0}.</translation></message>
+    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (an RS-232 adapter: to the RS-232 pins), and that ground is connected.</source>
+        <translation>Aucun TReX ne répond sur {0}, quels que soient le débit et la parité, ni avec CRC. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), et que la masse est reliée.</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. Either it is another device, or the line is noisy.</source>
         <translation>Quelque chose est connecté à {0}, mais ne répond pas comme un TReX : il a envoyé {1} à {2}{3}. C'est un autre appareil, ou la liaison est bruitée.</translation></message>
     <message><source>It is set to {0} baud, but with this setting, firmware {1} runs at half the rate: connect at {2} baud.</source>
@@ -1093,8 +1097,6 @@
         <translation>Elle est réglée sur {0} bits d'arrêt ; les deux nombres fonctionnent sur cette liaison.</translation></message>
     <message><source> The port does not support {0} baud, so the scan skipped these settings.</source>
         <translation> Le port n'accepte pas {0} bauds ; ces réglages n'ont donc pas été essayés.</translation></message>
-    <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (an RS-232 adapter: to the RS-232 pins), and that ground is connected. Only the full scan finds a board with a custom CRC polynomial.</source>
-        <translation>Aucun TReX ne répond sur {0}, quels que soient le débit et la parité, ni avec CRC. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), et que la masse est reliée. Une carte dont le polynôme CRC est personnalisé n'est trouvée que par la recherche complète.</translation></message>
     <message><source>, and data at {0} other settings</source>
         <translation>, et quelque chose à {0} autres réglages</translation></message>
     <message><source>Its UART settings have the unknown value {0:#04x}.</source>

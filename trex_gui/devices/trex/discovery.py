@@ -290,12 +290,16 @@ class TrexProber:
                 "No TReX responds on {0}. The baud rate is set at the other end of the "
                 "network, so only that rate could be tried, without parity and without CRC."
             ).format(url)
-        return Evidence.SILENCE, tr(
+        text = tr(
             "No TReX responds on {0} at any baud rate, with any parity or with CRC. Check "
             "that the board has power (an LED is lit), that the adapter's TX goes to SI and "
             "its RX to SO (an RS-232 adapter: to the RS-232 pins), and that ground is "
-            "connected. Only the full scan finds a board with a custom CRC polynomial."
+            "connected."
         ).format(url)
+        if not self._full:
+            more = tr("Only the full search finds a board with a custom CRC polynomial.")
+            text = f"{text} {more}"
+        return Evidence.SILENCE, text
 
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
         line, data = self._strange[0]

@@ -434,6 +434,14 @@ def test_missing_reply_is_explained(words: list[str], *, echo: bool) -> None:
 
 
 @pytest.mark.parametrize("full", [False, True])
+def test_full_search_is_proposed_unless_it_was_done(*, full: bool) -> None:
+    board = create_board()
+    board.power_off()
+    (line,) = scan(wire_of(board), full=full).lines
+    assert ("Only the full search" in line) is not full
+
+
+@pytest.mark.parametrize("full", [False, True])
 def test_board_in_boot_loader_ends_the_scan(*, full: bool) -> None:
     board = create_board()
     board.mode_jumper, board.mix, board.so_ground = "serial", True, True
