@@ -104,7 +104,7 @@ def test_reasons_that_stop_motors_come_first() -> None:
         f"Motor 1 is off: {SHUT_DOWN}",
         f"Motor 2 is off: {SHUT_DOWN}",
         "Serial timeout: the board received nothing for 0.5 s.",
-        "Serial errors (parity error): the board stops the motors when bytes arrive corrupted.",
+        "Serial errors (Parity error): the board stops the motors when bytes arrive corrupted.",
         "The RC channels control the motors, not serial commands.",
         "Motor 2 is slowed down: its current exceeds the limit.",
         "Joint mode: both drivers work as one motor.",

@@ -425,7 +425,7 @@ class BoardMirror:
                 "The board stopped its motors because of an error on the line ({0}): UART-Error "
                 "Shutdown is set."
             )
-            return text.format(names.lower())
+            return text.format(names)
         return ""
 
     def _update_quality(self, batch: Batch) -> Iterator[BoardEvent]:

@@ -182,7 +182,7 @@ class Reason:
     def _values(self) -> Iterator[object]:
         for field in self.fields:
             if isinstance(field, tuple):
-                yield ", ".join(tr(str(name)) for name in field).lower()
+                yield ", ".join(tr(str(name)) for name in field)
             else:
                 yield field
 

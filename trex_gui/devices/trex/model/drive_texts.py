@@ -46,7 +46,7 @@ def report_text(device: Device, motor: int) -> str:
         if device.board.is_joint:
             parts.append(tr("no current sensing in joint mode"))
         else:
-            parts += [tr(entry.name).lower() for entry in device.board.errors.recent(motor, now())]
+            parts += [tr(entry.name) for entry in device.board.errors.recent(motor, now())]
     value = telemetry.remapped_of(motor)
     is_overridden = device.board.serial_controls and state and not state.mode.is_serial
     if is_overridden and value is not None:

@@ -92,7 +92,7 @@ def test_restarted_board_disarms_the_motors(driven: DrivenDevice) -> None:
 def test_line_error_disarms_and_clears_setpoints(driven: DrivenDevice) -> None:
     driven.simulator.do("line error framing 1")
     driven.wait(lambda: not driven.motors.armed)
-    assert "framing error" in driven.motors.stop_reason
+    assert "Framing error" in driven.motors.stop_reason
     assert driven.motors.text == ""
     driven.wait(lambda: not driven.may_move)
     assert is_braked(driven.simulator)
