@@ -126,15 +126,6 @@ def test_set_commands_override_current_limit_temporarily(trex: Trex) -> None:
     assert trex.motor(1)[1] < 127
 
 
-def test_zero_acceleration_reaches_target_in_one_update(trex: Trex) -> None:
-    """CMD10 0xC4: "set the acceleration parameter to zero"."""
-    assert trex.request_byte("9F 0E") == trex.request_byte("9F 0F") == 0
-    trex.send("EA 7F 70", "F1 7F")
-    trex.wait(0.012)
-    assert (trex.motor(1), trex.motor(2)) == (("forward", 127), ("forward", 0x70))
-    assert trex.show()["aux"]["speed"] == 127
-
-
 @pytest.mark.parametrize("brake", ["C4", "C7"])
 def test_acceleration_does_not_apply_to_braking(trex: Trex, brake: str) -> None:
     """The note at CMD10 0xC4 says this."""

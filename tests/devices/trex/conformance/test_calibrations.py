@@ -143,14 +143,6 @@ def test_calibration_is_confirmed_after_about_32_ms(trex: Trex) -> None:
     assert stored(trex, 1)[2] == 5000
 
 
-def test_board_is_ready_for_next_command_after_reply(trex: Trex) -> None:
-    """CMD10 0xA0: "an indication that the TReX is now ready"."""
-    for channel in CHANNELS:
-        assert trex.request(calibration(channel, *VALUES[channel])) == "00"
-        assert trex.request("82") == "72"
-    assert trex.request("85") == "00"
-
-
 def test_wrong_format_bytes_get_no_reply_within_100_ms(trex: Trex) -> None:
     """CMD10 0xA0: "made it untrustworthy". The UART error byte has "useful information"."""
     before = stored(trex, 1)

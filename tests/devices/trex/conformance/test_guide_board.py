@@ -154,14 +154,6 @@ def test_mix_jumper_never_alters_serial_motor_commands(trex: Trex) -> None:
     assert trex.request("87 03") == "7F 7F"
 
 
-def test_mix_jumper_can_be_changed_while_running(trex: Trex) -> None:
-    """The source is MH 7."""
-    trex.connect(c2="2000us")
-    for state, reply in (("off", "00 7F"), ("on", "7F 7F"), ("off", "00 7F")):
-        trex.control(f"jumper mix {state}")
-        assert trex.request("87 03") == reply
-
-
 def test_joint_mode_accepts_motor_1_and_auxiliary_commands(trex: Trex) -> None:
     """Manual of the TReX Jr, page 6. Motor 2 does not exist in joint mode."""
     trex.set_parameters(motor_mode=1)

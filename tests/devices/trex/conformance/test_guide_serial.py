@@ -9,13 +9,6 @@ from trex_gui.devices.trex.simulator.command import DeviceOption
 # 5.b: protocols
 
 
-@pytest.mark.parametrize("example", ["F0 7F", "80 07 70 7F"])
-def test_example_packets_set_auxiliary_motor_to_full_speed(trex: Trex, example: str) -> None:
-    """User's Guide 5.b. The examples use the compact protocol and the Pololu protocol."""
-    trex.send(trex.add_crc(bytes.fromhex(example)))
-    assert trex.show()["aux"]["speed"] == 127
-
-
 def test_board_responds_to_both_protocols_in_turn(trex: Trex) -> None:
     """User's Guide 5.b. No jumper or parameter selects the protocol."""
     for packet in ("82", "80 07 02", "82", "82", "80 07 02", "80 07 02"):
@@ -172,20 +165,13 @@ def test_old_firmware_runs_at_all_other_baud_rates(trex: Trex, baud: int) -> Non
 
 
 @only(firmware="1.2")
-def test_response_delay_delays_replies_by_1_ms(trex: Trex) -> None:
-    """F1491: the delay is for slow hosts."""
-    assert trex.request("AF 17 01 55 2A") == "00"
-    assert trex.request("9F 17") == "01"
+@pytest.mark.parametrize("milliseconds", [0, 1])
+def test_response_delay_delays_replies_by_1_ms(trex: Trex, milliseconds: int) -> None:
+    """F1491: the delay is an option for slow hosts."""
+    assert trex.request(f"AF 17 0{milliseconds} 55 2A") == "00"
+    assert trex.request_byte("9F 17") == milliseconds
     trex.request("82")
-    assert trex.reply_delay == pytest.approx(0.001)
-
-
-@only(firmware="1.2")
-def test_replies_without_response_delay_are_sent_at_once(trex: Trex) -> None:
-    """F1491: the delay is an option."""
-    assert trex.request("AF 17 00 55 2A") == "00"
-    trex.request("82")
-    assert trex.reply_delay < 0.001
+    assert trex.reply_delay == pytest.approx(milliseconds / 1000)
 
 
 @only(firmware="1.0")
@@ -199,18 +185,13 @@ def test_old_firmware_has_no_parameter_17(trex: Trex) -> None:
 
 @only(harness="wire", echo=True)
 def test_rs_232_echoes_everything_sent(trex: Trex) -> None:
-    """MH 15. The reply follows the echo."""
+    """MH 15. The reply follows the echo. C-SHARP: reading 0xFF back means RS-232."""
     query, drive = trex.packet("82"), trex.packet("C2 20")
     assert trex.exchange(drive) == drive
+    assert trex.exchange(b"\xff") == b"\xff"
     reply = trex.exchange(query)
     assert reply[: len(query) + 1] == query + b"r"
     assert len(reply) == len(query) + 1 + trex.variant.crc
-
-
-@only(harness="wire", echo=True)
-def test_null_command_is_echoed_on_rs_232(trex: Trex) -> None:
-    """C-SHARP: reading 0xFF back means RS-232."""
-    assert trex.exchange(b"\xff") == b"\xff"
 
 
 @pytest.fixture

@@ -128,12 +128,3 @@ def test_commands_before_override_apply_when_override_begins(
     trex.connect(c5="1000us")
     trex.wait(0.012)
     assert outputs(trex) == [("forward", 0x30), ("reverse", 0x40), 0x50]
-
-
-def test_override_applies_latest_command_of_each_motor(trex: Trex) -> None:
-    """CMD10, note before 0xC0."""
-    trex.start("rc")
-    trex.send("D6 10 20", "C1 30", "F0 40", "DA 11 22", "C9 33")
-    trex.connect(c5="1000us")
-    trex.wait(0.012)
-    assert outputs(trex) == [("forward", 0x11), ("reverse", 0x33), 0x40]

@@ -92,28 +92,6 @@ def test_channels_control_motors_after_serial_override(trex: Trex) -> None:
     assert trex.motor(1)[0] == trex.motor(2)[0] == "brake"
 
 
-def test_both_example_packets_read_all_five_raw_channels(trex: Trex) -> None:
-    """CMD10 0x80: the examples are 0x80, 0x07, 0x06, 0x1F and 0x86, 0x1F."""
-    trex.connect(c1="1200us", c5="1900us")
-    for packet in (b"\x80\x07\x06\x1f", b"\x86\x1f"):
-        assert trex.request(trex.add_crc(packet), 10) == "B8 0B A6 0E A6 0E A6 0E 8E 12"
-
-
-def test_default_device_number_is_7(trex: Trex) -> None:
-    """CMD10 0x80."""
-    assert trex.request("9F 00") == "07"
-    assert trex.request(trex.add_crc(b"\x80\x07\x02"), 1) == "72"
-
-
-def test_device_number_parameter_takes_effect_at_once(trex: Trex) -> None:
-    """CMD10 0x80."""
-    assert trex.request("AF 00 09 55 2A") == "00"
-    trex.device = 9
-    assert trex.request("9F 00") == "09"
-    assert trex.request(trex.add_crc(b"\x80\x09\x02"), 1) == "72"
-    assert trex.gets_no_reply(trex.add_crc(b"\x80\x07\x02"))
-
-
 @pytest.mark.parametrize("number", [0, 6, 8, 127])
 def test_packet_for_other_device_number_is_ignored(trex: Trex, number: int) -> None:
     """CMD10 0x80: "can be chained along with such products to the same serial line".

@@ -1,4 +1,4 @@
-"""Parameters: each sentence of CMD10 0x9F and 0xAF."""
+"""Parameters: each sentence of CMD10 0x9F and 0xAF, and the polynomial of User's Guide 5.e."""
 
 import pytest
 
@@ -58,14 +58,6 @@ def test_parameter_write_is_confirmed_after_about_4_ms(trex: Trex) -> None:
     assert trex.request(write(0x0E, 1)) == "00"
     assert 0.0035 <= trex.reply_delay < 0.006
     assert trex.request_byte("9F 0E") == 1
-
-
-def test_board_is_ready_for_next_command_after_reply(trex: Trex) -> None:
-    """CMD10 0xAF."""
-    for value in range(1, 11):
-        assert trex.request(write(0x0E, value)) == "00"
-        assert trex.request_byte("9F 0E") == value
-    assert trex.request("85") == "00"
 
 
 def test_wrong_format_bytes_get_no_reply_within_50_ms(trex: Trex) -> None:
@@ -135,6 +127,16 @@ def test_crc_polynomial_7d_takes_effect_after_restart(trex: Trex) -> None:
     trex.polynomial = 0xE5
     assert trex.request("85") == "20"
     assert trex.request("86 1F")
+
+
+@only(crc=True)
+@pytest.mark.parametrize("value", [0x00, 0x09, 0x37, 0x7F])
+def test_polynomial_parameter_has_implied_top_bit(trex: Trex, value: int) -> None:
+    """User's Guide 5.e."""
+    trex.set_parameters(crc7_polynomial=value)
+    trex.polynomial = 0x80 | value
+    assert trex.request_byte("9F 7D") == value
+    assert bytes.fromhex(trex.request("81")) == b"TReX1.2"
 
 
 @only(harness="wire")  # bytes have no rate in the parser

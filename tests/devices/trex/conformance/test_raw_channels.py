@@ -26,9 +26,10 @@ def test_raw_reply_has_two_byte_value_of_each_masked_channel(trex: Trex) -> None
         assert two_byte_values(trex.request(f"86 {mask:02X}")) == expected
 
 
-def test_empty_mask_gets_no_reply(trex: Trex) -> None:
-    """CMD10 0x86: "will return 0 - 10 bytes". Inferred: an empty reply has no CRC."""
-    assert trex.gets_no_reply("86 00")
+@pytest.mark.parametrize("query", ["86 00", "87 00"])
+def test_empty_mask_gets_no_reply(trex: Trex, query: str) -> None:
+    """CMD10 0x86 and 0x87: "will return 0" bytes or more. Inferred: an empty reply has no CRC."""
+    assert trex.gets_no_reply(query)
     assert trex.request("85") == "00"
 
 
@@ -71,12 +72,6 @@ def test_rc_value_is_ffff_100_ms_after_last_pulse(trex: Trex) -> None:
     assert last_valid <= begin + 0.110
 
 
-def test_rc_values_are_updated_50_times_a_second(trex: Trex) -> None:
-    """CMD10 0x86: "the standard rate for receivers is 50 Hz"."""
-    trex.connect(c1="1500us noise 60us")
-    assert 8 <= _changes(trex, "86 01", 0.2) <= 11
-
-
 @pytest.mark.parametrize(("volts", "value"), [("0V", 0), ("5V", 1023)])
 def test_analog_value_ranges_from_0_to_1023(trex: Trex, volts: str, value: int) -> None:
     """CMD10 0x86: a 10-bit conversion. The range of 0 to 5 V is from User's Guide 4.b."""
@@ -107,10 +102,11 @@ def test_analog_value_is_average_of_16_samples(trex: Trex) -> None:
     assert deviation == pytest.approx(0.4 / 0.00489 / 16**0.5, rel=0.2)
 
 
-def test_analog_values_are_updated_50_times_a_second(trex: Trex) -> None:
-    """CMD10 0x86: "approximately 50 Hz"."""
-    measure_analog_inputs(trex)
-    trex.connect(c1="2.5V noise 1V")
+@pytest.mark.parametrize(("source", "signal"), [(0, "1500us noise 60us"), (1, "2.5V noise 1V")])
+def test_raw_values_are_updated_50_times_a_second(trex: Trex, source: int, signal: str) -> None:
+    """CMD10 0x86: "the standard rate for receivers is 50 Hz", analog "approximately 50 Hz"."""
+    trex.set_parameters(channel_input_source=source)
+    trex.connect(c1=signal)
     assert 8 <= _changes(trex, "86 01", 0.2) <= 11
 
 

@@ -27,12 +27,6 @@ def test_remapped_reply_has_one_byte_of_each_masked_channel(trex: Trex) -> None:
         assert list(bytes.fromhex(trex.request(f"87 {mask:02X}"))) == expected
 
 
-def test_empty_mask_gets_no_reply(trex: Trex) -> None:
-    """CMD10 0x87: "will return 0 - 5 bytes"."""
-    assert trex.gets_no_reply("87 00")
-    assert trex.request("85") == "00"
-
-
 def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
     """CMD10 0x87: "unitless, single-byte values"."""
     for source, ends in ((0, ("1000us", "1500us", "2000us")), (1, ("0V", "2.5V", "5V"))):
@@ -60,7 +54,10 @@ def test_value_is_documented_at_ends_and_within_deadband(
 
 
 def test_mix_jumper_affects_only_channels_1_and_2(trex: Trex) -> None:
-    """CMD10 0x87. One channel turns the robot, the other drives it (User's Guide 4.a)."""
+    """CMD10 0x87. One channel turns the robot, the other drives it (User's Guide 4.a).
+
+    The jumper can be changed while running (MH 7).
+    """
     trex.connect(c2="2000us", c3="2000us")
     assert trex.request("87 07") == "00 7F 7F"
     trex.control("jumper mix on")
@@ -69,6 +66,8 @@ def test_mix_jumper_affects_only_channels_1_and_2(trex: Trex) -> None:
     first, second, third = bytes.fromhex(trex.request("87 07"))
     assert first ^ second == 0x80
     assert third == 0x7F
+    trex.control("jumper mix off")
+    assert trex.request("87 07") == "7F 00 7F"
 
 
 def test_flip_channel_affects_only_channels_1_and_2(trex: Trex) -> None:

@@ -24,7 +24,7 @@ def test_mode_letter_follows_jumper_and_input_source(
 
 
 def test_serial_is_always_in_control_in_serial_mode(trex: Trex) -> None:
-    """CMD10 0x82."""
+    """CMD10 0x82 and 0x83."""
     for position in ("1000us", "1500us", "2000us", "silent"):
         trex.connect(c5=position)
         assert trex.request("83") == "01"
@@ -64,20 +64,13 @@ def test_channel_input_source_is_ignored_in_rc_and_analog_mode(
         assert trex.request("86 01") == raw
 
 
-@pytest.mark.parametrize(("jumper", "reply"), [("serial", "01"), ("rc", "00"), ("analog", "00")])
-def test_serial_is_in_control_only_in_serial_mode(trex: Trex, jumper: str, reply: str) -> None:
-    """CMD10 0x83: 0 = serial is not in control, 1 = serial is in control."""
-    trex.restart_in(jumper)
-    assert trex.request("83") == reply
-
-
 @pytest.mark.parametrize(
     ("jumper", "low", "middle"), [("rc", "1000us", "1500us"), ("analog", "0V", "2.5V")]
 )
 def test_low_channel_5_puts_serial_in_control(
     trex: Trex, jumper: str, low: str, middle: str
 ) -> None:
-    """CMD10 0x83: "or when serial override (as controlled by channel 5) is active"."""
+    """CMD10 0x83: 1 only "when serial override (as controlled by channel 5) is active"."""
     trex.start(jumper)
     for position, reply in ((low, "01"), (middle, "00")):
         trex.connect(c5=position)

@@ -40,14 +40,6 @@ def test_motor_fault_sets_its_status_bit(trex: Trex, motor: int, bit: int) -> No
     assert trex.request_byte("84") == bit
 
 
-def test_status_bit_0_is_a_uart_error(trex: Trex) -> None:
-    """CMD10 0x84: "read UART error byte for more information"."""
-    assert trex.request("84") == "00"
-    trex.send(b"\x88")
-    assert trex.request("84") == "01"
-    assert trex.request("85") == "40"
-
-
 def test_status_bits_are_latched_until_read(trex: Trex) -> None:
     """CMD10 0x84: "latched"."""
     trex.control("fault 1 on")
