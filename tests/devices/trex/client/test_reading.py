@@ -78,15 +78,6 @@ def test_lost_reply_costs_one_retry(harness: SessionHarness) -> None:
     assert client.counters.missing == 1
 
 
-def test_noisy_line_with_crc_yields_no_wrong_value() -> None:
-    for seed in range(10):
-        harness, settings = create_harness(detection=Detection.CRC7)
-        harness.line.faults._random.seed(seed)
-        harness.line.faults.noise = 0.01
-        state = read_everything(harness.client(settings).request)
-        assert state.parameters == harness.board.memory.stored()
-
-
 @pytest.mark.parametrize(
     ("readings", "value"), [([5, 5], 5), ([9, 5, 5], 5), ([5, 9, 5, 5], 5), ([9, 8, 5, 5], 5)]
 )

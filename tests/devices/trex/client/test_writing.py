@@ -33,7 +33,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode, Skipped
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
+from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.simulator.firmware import Board
 
 few_examples = examples(40)
@@ -47,15 +47,6 @@ LEARNED = Calibration(2400, 3700, 5100, 80)
 # --- One parameter ----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("spec", SPECS.readable, ids=lambda spec: spec.key)
-def test_every_parameter_accepts_its_limits(spec: ParameterSpec) -> None:
-    harness = SessionHarness(Board())
-    client = harness.client()
-    for wire in (min(spec.valid), max(spec.valid)):
-        assert write_parameter(client.request, spec, wire) == wire
-        assert harness.board.eeprom[spec.key] == wire
-
-
 @pytest.mark.parametrize("has_crc", [False, True])
 def test_write_is_confirmed_by_two_readings_or_one_with_crc(*, has_crc: bool) -> None:
     harness, settings = create_harness(detection=Detection.CRC7 if has_crc else Detection.NONE)
@@ -64,11 +55,6 @@ def test_write_is_confirmed_by_two_readings_or_one_with_crc(*, has_crc: bool) ->
     readings = [read] if has_crc else [read, GetMode(), read]
     sent = commands(harness.transport.sent, polynomial)
     assert sent == [SetParameter(TIMEOUT.number, 20), *readings]
-
-
-def test_corrupted_read_back_does_not_fail_a_write(harness: SessionHarness) -> None:
-    assert write_parameter(fake_requester(harness, GetParameter, [19, 20, 20]), TIMEOUT, 20) == 20
-    assert harness.board.memory.writes == 1
 
 
 def test_read_back_that_differs_each_time_fails_a_write(harness: SessionHarness) -> None:
@@ -104,31 +90,6 @@ def test_unanswered_factory_reset_fails(harness: SessionHarness) -> None:
 # --- Rejections -------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("mode", ["rc", "analog"])
-def test_write_outside_serial_mode_explains_what_to_do(mode: str) -> None:
-    harness, settings = create_harness(mode=mode)
-    with pytest.raises(Rejected) as caught:
-        write_parameter(harness.client(settings).request, TIMEOUT, 5)
-    assert caught.value.result is ResultCode.NOT_SERIAL_MODE
-    for words in ("Serial Timeout", "serial mode", "code 3", "remove the mode jumper"):
-        assert words in str(caught.value)
-
-
-def test_rejected_value_is_reported_with_result_code(harness: SessionHarness) -> None:
-    any_value = replace(SPECS["motor_mode"], valid=frozenset(range(128)))
-    with pytest.raises(Rejected) as caught:
-        write_parameter(harness.client().request, any_value, 99)
-    assert caught.value.result is ResultCode.BAD_VALUE
-    assert "Motor Mode: the board rejects this value (code 2)" in str(caught.value)
-
-
-def test_unknown_parameter_error_mentions_firmware() -> None:
-    harness, settings = create_harness(firmware="1.0")
-    with pytest.raises(Rejected, match=r"code 1.*firmware") as caught:
-        write_parameter(harness.client(settings).request, SPECS["uart_response_delay"], 1)
-    assert caught.value.result is ResultCode.BAD_PARAMETER
-
-
 def test_rejection_with_crc_is_not_confirmed_by_a_retry() -> None:
     harness, settings = create_harness(mode="rc", detection=Detection.CRC7)
     client = harness.client(settings)
@@ -139,7 +100,7 @@ def test_rejection_with_crc_is_not_confirmed_by_a_retry() -> None:
 
 def test_rejection_counts_when_the_board_repeats_it() -> None:
     harness, settings = create_harness(mode="rc")
-    with pytest.raises(Rejected):
+    with pytest.raises(Rejected, match=r"Serial Timeout: .*\(code 3\)"):
         write_parameter(harness.client(settings).request, TIMEOUT, 5)
     write = SetParameter(TIMEOUT.number, 5)
     assert commands(harness.transport.sent) == [write, GetMode(), write]
@@ -239,12 +200,6 @@ def test_invalid_calibration_is_not_sent(harness: SessionHarness) -> None:
             harness.client().request, CalibrationKey.RC_CHANNEL_1, Calibration(5000, 3750, 2500, 75)
         )
     assert harness.transport.sent == b""
-
-
-def test_calibration_write_needs_serial_mode() -> None:
-    harness, settings = create_harness(mode="rc")
-    with pytest.raises(Rejected, match="Calibration of channel 1"):
-        write_calibration(harness.client(settings).request, CalibrationKey.RC_CHANNEL_1, LEARNED)
 
 
 def test_rejected_input_source_is_named_in_french(qapp: QApplication) -> None:

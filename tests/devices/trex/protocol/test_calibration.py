@@ -107,27 +107,22 @@ def test_neutral_may_equal_minimum_or_maximum(calibration: Calibration) -> None:
 
 
 @pytest.mark.parametrize(
-    ("raw", "output"),
+    ("raw", "output", "parabolic"),
     [
-        (3825, 0),
-        (3826, 0),  # 127 * 1 / 1175 rounded down
-        (3835, 1),  # 127 * 10 / 1175 = 1.08
-        (4413, 63),  # 127 * 588 / 1175 = 63.55
-        (4999, 126),
-        (5000, 127),
-        (3087, -63),
-        (2500, -127),
+        (3825, 0, 0),
+        (3826, 0, 0),  # 127 * 1 / 1175 rounded down
+        (3835, 1, 0),  # 127 * 10 / 1175 = 1.08
+        (4413, 63, 31),  # 127 * 588 / 1175 = 63.55
+        (4999, 126, 126),
+        (5000, 127, 127),
+        (3087, -63, -31),
+        (2500, -127, -127),
     ],
 )
-def test_typical_channel_is_remapped_linearly(raw: int, output: int) -> None:
-    assert remap(raw, TYPICAL) == output
-
-
-@pytest.mark.parametrize(
-    ("raw", "output"), [(3825, 0), (4413, 31), (4999, 126), (5000, 127), (3087, -31)]
-)
-def test_parabolic_channel_is_remapped_quadratically(raw: int, output: int) -> None:
-    assert remap(raw, TYPICAL, parabolic=True) == output
+def test_channel_is_remapped_linearly_or_quadratically(
+    raw: int, output: int, parabolic: int
+) -> None:
+    assert (remap(raw, TYPICAL), remap(raw, TYPICAL, parabolic=True)) == (output, parabolic)
 
 
 @few_examples

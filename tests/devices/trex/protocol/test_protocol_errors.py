@@ -20,9 +20,15 @@ def test_error_inside_an_error_is_translated() -> None:
 @pytest.mark.parametrize(
     ("code", "words"),
     [
-        (ResultCode.BAD_PARAMETER, "does not know this parameter (code 1)"),
+        (
+            ResultCode.BAD_PARAMETER,
+            "(code 1); its firmware may be too old",
+        ),
         (ResultCode.BAD_VALUE, "rejects this value (code 2)"),
-        (ResultCode.NOT_SERIAL_MODE, "not in serial mode (code 3)"),
+        (
+            ResultCode.NOT_SERIAL_MODE,
+            "serial mode (code 3); switch it off, remove the mode jumper",
+        ),
     ],
 )
 def test_rejection_names_subject_and_reason(code: ResultCode, words: str) -> None:

@@ -6,8 +6,8 @@ from typing import Any
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.devices.trex.protocol.test_calibration import calibrations
 from tests.support.matrix import examples
-from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     COMMANDS,
     Command,
@@ -49,15 +49,6 @@ masks = st.integers(0, 0x1F)
 channels = st.integers(1, 5)
 motors = st.integers(1, 2)
 drives = st.builds(Drive, st.sampled_from(Direction), seven_bits)
-fourteen_bits = st.integers(0, 0x3FFF)
-
-
-@st.composite
-def calibrations(draw: st.DrawFn) -> Calibration:
-    minimum, neutral = sorted((draw(st.integers(0, 0x3FFE)), draw(st.integers(0, 0x3FFE))))
-    return Calibration(
-        minimum, neutral, draw(st.integers(neutral + 1, 0x3FFF)), draw(fourteen_bits)
-    )
 
 
 BY_CLASS: dict[type[Command[Any]], st.SearchStrategy[Command[Any]]] = {
