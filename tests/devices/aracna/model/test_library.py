@@ -164,15 +164,6 @@ def test_saved_library_is_read_back_equal(library: Library, tmp_path: Path) -> N
     assert not other.undo.canUndo()
 
 
-def test_undo_after_save_marks_library_modified(library: Library, tmp_path: Path) -> None:
-    library.add_pose(POSITIONS)
-    save_now(library, library.content, tmp_path / "mine.ppr")
-    library.undo.undo()
-    assert library.modified
-    library.undo.redo()
-    assert not library.modified
-
-
 def test_unreadable_lines_are_reported_and_saved_again(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "odd.ppr"
     path.write_text("Aracna:8\nPose=a:1, x\nsomething else\n", encoding="utf-8")
@@ -190,32 +181,6 @@ def test_invalid_pose_file_is_rejected(tmp_path: Path, data: bytes) -> None:
     path.write_bytes(data)
     with pytest.raises(SettingsError):
         read_file(path)
-
-
-def test_latin_1_file_is_read_with_finding(library: Library, tmp_path: Path) -> None:
-    path = tmp_path / "old.ppr"
-    path.write_bytes("Aracna:8\nPose=Füße:1\n".encode("latin-1"))
-    findings = open_file(library, path)
-    assert library.project.poses[0].name == "Füße"
-    assert any("UTF-8" in finding.message for finding in findings)
-
-
-def test_failed_save_keeps_old_file_and_edits(
-    library: Library, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def raise_disk_full(*_: object) -> None:
-        raise OSError(28, "No space left on device")
-
-    path = tmp_path / "mine.ppr"
-    save_now(library, library.content, path)
-    before = path.read_bytes()
-    library.add_pose(POSITIONS)
-    monkeypatch.setattr("os.fsync", raise_disk_full)
-    with pytest.raises(SettingsError, match="No space left"):
-        save_now(library, library.content, path)
-    assert path.read_bytes() == before
-    assert library.modified
-    assert list(tmp_path.iterdir()) == [path]
 
 
 def test_edits_during_save_stay_unsaved(library: Library, tmp_path: Path) -> None:

@@ -47,8 +47,10 @@ def test_byte_order_mark_is_removed_from_first_line(tmp_path: Path, first: str) 
 @pytest.mark.parametrize("mark", [b"", BOM_UTF8], ids=["plain", "byte order mark"])
 def test_text_in_other_encoding_is_reported_with_its_line(tmp_path: Path, mark: bytes) -> None:
     path = tmp_path / "old.ppr"
-    path.write_bytes(mark + f"{HEADER}Ä".encode("latin-1"))
-    first, *_ = read_file(path).findings
+    path.write_bytes(mark + f"{HEADER}Pose=Füße:{EIGHT}".encode("latin-1"))
+    file = read_file(path)
+    assert [pose.name for pose in file.project.poses] == ["Füße"]
+    [first] = file.findings
     assert "not in UTF-8" in first.message
     assert first.line == 2
 
