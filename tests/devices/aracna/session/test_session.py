@@ -96,13 +96,6 @@ def test_move_reports_each_arrival_and_then_completion() -> None:
     assert session.of(Outcome) == [Outcome(1, held), Outcome(2, moved)]
 
 
-def test_second_move_starts_from_known_positions() -> None:
-    session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, THERE))
-    session.at(2.0, Move(3, HERE)).until(4.0).run()
-    assert session.of(Moving)[1].starts == (600,) * 8
-    assert session.of(Moving)[1].expected == pytest.approx(88 / 228)
-
-
 def is_moving(report: object) -> bool:
     return isinstance(report, Moving)
 

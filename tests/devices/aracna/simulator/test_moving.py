@@ -80,12 +80,6 @@ def test_round_trip_without_motion_takes_documented_time(
     assert minimum <= (harness.now - start) * 1000 <= maximum
 
 
-def test_first_reply_bytes_precede_any_arrival() -> None:
-    harness = AracnaHarness()
-    harness.request(line("v", [1] * 8))
-    assert harness.request(line("c", [1023] * 8), 1) == b".c"
-
-
 def test_moving_servo_keeps_old_goal_when_new_one_is_rejected() -> None:
     harness = AracnaHarness()
     harness.request(line("v", [50] * 8))

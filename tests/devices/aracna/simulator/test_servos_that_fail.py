@@ -40,13 +40,6 @@ def test_servo_failing_in_motion_arrives_after_recovery(harness: AracnaHarness) 
     assert harness.request(b"") == b"740,740,740,740,740\r\n"
 
 
-def test_reset_ends_reply_stalled_by_dead_servo(harness: AracnaHarness) -> None:
-    harness.do("servo 0 dead")
-    assert harness.request(GOALS, 20) == b".c"
-    harness.do("reset")
-    assert harness.request(b".q\n") == b".h\r\n.q1,8\r\n"
-
-
 @pytest.mark.parametrize(("hindrance", "release"), [("block", "free"), ("load 1", "load 0.9")])
 def test_held_servo_stays_moving_until_freed(
     harness: AracnaHarness, hindrance: str, release: str

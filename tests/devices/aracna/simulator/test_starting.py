@@ -36,12 +36,6 @@ def test_boot_loader_delays_hello() -> None:
     assert harness.line.read(4, 0.2) == HELLO
 
 
-def test_led_is_off_after_restart(harness: AracnaHarness) -> None:
-    harness.request(b".l1\n")
-    harness.request(b".c\n")
-    assert harness.request(b".l\n") == b".l0\r\n"
-
-
 def test_servos_keep_moving_during_board_reset(harness: AracnaHarness) -> None:
     harness.request(SPEEDS)
     harness.line.send(GOALS)
@@ -57,10 +51,14 @@ def test_servos_keep_moving_during_board_reset(harness: AracnaHarness) -> None:
     assert all(servo.torque for servo in harness.line.servos)
 
 
-def test_restart_by_invalid_line_keeps_servo_settings(harness: AracnaHarness) -> None:
+def test_restart_by_invalid_line_turns_led_off_and_keeps_servo_settings(
+    harness: AracnaHarness,
+) -> None:
     harness.request(SPEEDS)
     harness.request(GOALS, 10)
+    harness.request(b".l1\n")
     harness.request(b".c\n")
+    assert harness.request(b".l\n") == b".l0\r\n"
     assert (harness.speeds, harness.goals) == ((50,) * 8, (800,) * 8)
 
 
