@@ -12,10 +12,9 @@ from hypothesis import strategies as st
 
 from tests.devices.aracna import recordings
 from tests.devices.aracna.recordings import open_recording, read_all, records, write
-from tests.devices.trex.recording import samples
 from tests.support.matrix import examples
 from trex_gui.core.recording.export import export_span
-from trex_gui.core.recording.kinds import Marker, RecordingError
+from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.recording import Record, RobotHeader
 from trex_gui.devices.aracna.session.messages import (
     Moved,
@@ -130,13 +129,3 @@ def test_invalid_header_is_rejected_with_reason(name: str, value: object, reason
     del values[name]
     with pytest.raises(ValueError, match=f"the header is incomplete \\('{name}'\\)"):
         RobotHeader.from_values(values)
-
-
-def test_recording_of_another_device_is_rejected(tmp_path: Path) -> None:
-    board, robot = tmp_path / "board.trexrec", tmp_path / "robot.trexrec"
-    samples.write(board, list(samples.drive_records(1)))
-    write(robot, list(recordings.session(2)))
-    with pytest.raises(RecordingError, match=r"another device: TReX 1\.2\. Select"):
-        open_recording(board)
-    with pytest.raises(RecordingError, match=r"another device: Aracna\. Select"):
-        samples.open_recording(robot)

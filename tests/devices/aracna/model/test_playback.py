@@ -120,14 +120,3 @@ def test_stuck_motor_is_known_until_robot_replies(tmp_path: Path, qtbot: QtBot) 
     assert state.stuck is None
     assert list(state.missed_goals) == [3, 4, 5, 6, 7]
     playback.close()
-
-
-def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBot) -> None:
-    path = tmp_path / "long.trexrec"
-    write(path, list(session(40)))
-    playback = RobotPlayback(open_recording(path), max_rows=100)
-    with qtbot.waitSignal(playback.loaded, timeout=TIMEOUT_MS):
-        playback.start_loading()
-    drawn, available = playback.row_counts
-    assert drawn == 100 < available
-    playback.close()

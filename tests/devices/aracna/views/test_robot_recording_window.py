@@ -1,7 +1,5 @@
 """Window of a robot's recording, which may be damaged."""
 
-import contextlib
-import sqlite3
 from pathlib import Path
 
 import pytest
@@ -146,24 +144,6 @@ def test_recording_window_works_with_the_keyboard(window: RecordingWindow) -> No
     spoken = window.joints.model().headerData(0, Qt.Orientation.Vertical)
     assert spoken == "Motor 0 inner, front left leg"
     assert "positions" in window.plot.accessibleName()
-
-
-def test_damaged_recording_reports_problem_and_shows_rest(tmp_path: Path, qtbot: QtBot) -> None:
-    path = tmp_path / "damaged.trexrec"
-    write(path, SAMPLE_SESSION)
-    with contextlib.closing(sqlite3.connect(path)) as database:
-        database.execute("UPDATE goals SET motor_0_goal_units = 'oo'")
-        database.execute("DELETE FROM header WHERE key = 'ended_utc_s'")
-        database.commit()
-    window = RecordingWindow(path, qtbot)
-    window.window.show()
-    window.wait_until_loaded()
-    text = window.text("bannerText")
-    assert "This recording is not complete." in text
-    assert "The recording was not closed properly" in text
-    assert "Record 3 cannot be read: motor_0_goal_units is not of type INTEGER." in text
-    window.playback.set_position(window.playback.end)
-    assert window.value(0, "Present") == "201 = 58.9°"
 
 
 def test_curve_hidden_while_loading_stays_hidden(tmp_path: Path, qtbot: QtBot) -> None:
