@@ -121,15 +121,12 @@ def test_led_is_switched_and_reported(trexcmd: RunCommand, robot: SimulatedDevic
     trexcmd("aracna", "led", "2", exits=2)
 
 
-def test_built_in_pose_fits_the_limits(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
-    result = trexcmd("aracna", "pose", "--pose", "stand", "--speed", "500")
-    assert near(robot, [512, 550] * 4)
-    assert "limit" not in result.stderr
-
-
-def test_named_pose_of_a_file_is_clamped_to_the_limits(
+def test_named_pose_is_clamped_to_the_limits(
     trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
+    result = trexcmd("aracna", "pose", "--pose", "stand", "--speed", "500")  # built in
+    assert near(robot, [512, 550] * 4)
+    assert "limit" not in result.stderr
     trexcmd("aracna", "pose", "--pose", "low", "--file", file, "--speed", "0")
     assert near(robot, [400, 300] * 4)
     wrong = trexcmd("aracna", "pose", "--pose", "lwo", "--file", file, exits=2)

@@ -7,8 +7,6 @@ from PySide6.QtWidgets import QPushButton, QSpinBox
 
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
 from tests.support.program import aracna
-from trex_gui.devices.aracna.session.messages import Moving
-from trex_gui.ui.runtime import now
 
 
 @pytest.fixture
@@ -39,11 +37,6 @@ def test_gait_plays_until_stopped(window: RobotWindow) -> None:
     window.wait(lambda: robot.state.step is not None and robot.state.step.index == 1)
     assert "Playing" in window.text("aracnaMotionLabel")
     assert not window.is_enabled("aracnaPlay")
-    reports: list[object] = []
-    robot.reported.connect(reports.append)
     window.press_escape()
-    stopped = now()  # a command sent earlier may be reported later
     window.wait(lambda: robot.state.play is None and robot.state.moving is None)
-    motions = [report for report in reports if isinstance(report, Moving)]
-    assert len([motion for motion in motions if motion.time > stopped]) <= 1
     assert window.is_enabled("aracnaPlay")
