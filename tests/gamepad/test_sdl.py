@@ -37,10 +37,6 @@ def pad(source: SdlPads, gamepad: VirtualPad) -> Pad:
     return pad
 
 
-def test_source_lists_no_pad_without_a_gamepad(source: SdlPads) -> None:
-    assert source.pads() == ()
-
-
 def test_plugged_in_gamepad_is_listed(pad: Pad) -> None:
     assert (pad.axes, pad.buttons) == (6, 15)
     assert pad.name

@@ -30,17 +30,6 @@ class FakeMac(NativeMac):
         self.allowed.append(argument)
 
 
-def test_lock_and_sleep_are_stop_reasons_but_waking_up_is_not() -> None:
-    mac, reasons = FakeMac(), list[str]()
-    events = MacEvents(mac, lambda: False, timeout=1.0)
-    events.leaving.connect(reasons.append)
-    mac.notify_power(HAS_POWERED_ON, 3)
-    assert reasons == []
-    mac.lock()
-    mac.notify_power(WILL_SLEEP, 5)
-    assert reasons == ["The screen was locked", "The computer is going to sleep"]
-
-
 def test_sleep_waits_for_the_stop_until_a_timeout(qtbot: QtBot) -> None:
     mac, may_move = FakeMac(), True
     _events = MacEvents(mac, lambda: may_move, timeout=1.0)

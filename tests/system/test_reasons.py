@@ -6,7 +6,7 @@ from contextlib import closing
 import pytest
 from PySide6.QtDBus import QDBusConnection
 
-from tests.system.test_mac_events import FakeMac
+from tests.system.test_mac_events import HAS_POWERED_ON, FakeMac
 from trex_gui.supervisor import ExceptionWatch, SuspendDetector
 from trex_gui.system.login_session import SessionEvents
 from trex_gui.system.mac_events import WILL_SLEEP, MacEvents
@@ -49,6 +49,7 @@ def mac_reasons() -> list[str]:
     mac, reports = FakeMac(), list[str]()
     events = MacEvents(mac, lambda: False, timeout=1.0)
     events.leaving.connect(reports.append)
+    mac.notify_power(HAS_POWERED_ON, 3)  # not a reason
     mac.lock()
     mac.notify_power(WILL_SLEEP, 5)
     return reports
@@ -88,8 +89,9 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.Monk
         assert "motor" not in reason, reason
     assert reasons[-1] == "Internal error (ValueError)"
     assert reasons[2] == "The screen was locked"
-    windows = ["The computer is going to sleep", "The screen was locked", "The session is ending"]
-    assert reasons[3:6] == windows
+    sleep, lock = "The computer is going to sleep", "The screen was locked"
+    assert reasons[3:6] == [sleep, lock, "The session is ending"]  # Windows
+    assert reasons[6:8] == [lock, sleep]  # macOS
 
 
 def test_waking_up_and_unlocking_give_no_stop_reason() -> None:
