@@ -107,15 +107,6 @@ def test_speed_out_of_range_is_rejected(armed: RequestRecorder, speed: int) -> N
     assert armed.requests == []
 
 
-def test_rearmed_motors_have_no_setpoint(armed: RequestRecorder) -> None:
-    armed.motors.set_speed(1, 50)
-    armed.motors.stop()
-    armed.motors.arm()
-    assert armed.motors.drive(1) is None
-    armed.motors.set_speed(1, 50)
-    assert len(armed.requests) == 2
-
-
 # --- Stopping ---------------------------------------------------------------------------
 
 
@@ -130,6 +121,10 @@ def test_stop_disarms_and_clears_setpoints(armed: RequestRecorder) -> None:
     armed.requests.clear()
     drive_all_motors(armed.motors)
     assert armed.requests == []
+    armed.motors.arm()
+    assert armed.motors.drive(1) is None
+    armed.motors.set_brake(1, 10)
+    assert armed.requests == [SetMotor(1, Drive.brake(10), True)]
 
 
 @pytest.mark.parametrize("available", [False, True])
@@ -140,22 +135,18 @@ def test_stop_is_always_accepted(recorder: RequestRecorder, *, available: bool) 
     assert recorder.stops == 3
 
 
-def test_lost_board_disarms_without_sending(armed: RequestRecorder) -> None:
+def test_lost_board_disarms_without_sending_until_armed_again(armed: RequestRecorder) -> None:
     armed.motors.set_speed(1, 50)
     armed.requests.clear()
     armed.motors.set_available(False)
     assert not armed.motors.armed
     assert not armed.motors.is_available
     assert armed.motors.drive(1) is None
-    assert armed.requests == []
-    assert armed.stops == 0
-
-
-def test_returning_board_does_not_arm_the_motors(armed: RequestRecorder) -> None:
-    armed.motors.set_available(False)
     armed.motors.set_available(True)
     assert armed.motors.is_available
     assert not armed.motors.armed
+    assert armed.requests == []
+    assert armed.stops == 0
 
 
 def test_each_change_emits_its_signal(armed: RequestRecorder) -> None:
@@ -273,6 +264,8 @@ def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> No
     assert armed.motors.drive(1) == Drive.at(30)
     assert (armed.motors.ceiling, armed.motors.auxiliary) == (100, 30)
     armed.motors.set_ceiling(20)
+    assert armed.motors.drive(1) == Drive.at(20)
+    armed.motors.set_speed(1, 127, "stick")
     assert armed.motors.drive(1) == Drive.at(20)
     armed.motors.set_ceiling(100)
     armed.motors.release("stick")
