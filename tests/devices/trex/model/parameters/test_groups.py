@@ -174,12 +174,6 @@ def test_second_motor_is_unchanged_if_it_cannot_be_edited(model: ParameterModel)
     assert dict(model.values.pending) == expected
 
 
-def test_differing_motor_value_is_shown(model: ParameterModel) -> None:
-    assert "differs" not in text(model, "motor1_current_limit", ACCESSIBLE_TEXT)
-    model.edit("motor2_current_limit", 25)
-    assert "Motor 2 differs: 2 A." in text(model, "motor1_current_limit", ACCESSIBLE_TEXT)
-
-
 def test_staged_settings_of_each_motor_stay_different(qtbot: QtBot) -> None:
     draft = SettingsDraft()
     before = Settings(SPECS.model, "1.2", FACTORY)

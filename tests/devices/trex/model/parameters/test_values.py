@@ -2,7 +2,6 @@
 
 from contextlib import suppress
 
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -21,14 +20,6 @@ def values_of_board() -> ParameterValues:
     values = ParameterValues()
     values.load(FACTORY)
     return values
-
-
-def test_invalid_edit_does_not_change_the_previous_edit() -> None:
-    values = values_of_board()
-    values.edit(MODE, 1)
-    with pytest.raises(BadRequest, match="Motor Mode"):
-        values.edit(MODE, 7)
-    assert values.pending == (("motor_mode", 1),)
 
 
 def test_edit_made_while_writing_stays_pending() -> None:

@@ -4,19 +4,15 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given
-from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from tests.devices.trex.settings.samples import any_settings, factory
+from tests.devices.trex.settings.samples import factory
 from tests.support.bad_files import BAD_FILES, BadFile
 from tests.support.documents import save_now
-from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError, load
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
-from trex_gui.devices.trex.settings.document import Settings
 
 pytestmark = pytest.mark.usefixtures("qapp")
 
@@ -45,12 +41,6 @@ def rover(tmp_path: Path) -> Path:
 def document(rover: Path) -> SettingsDocument:
     """Settings document of the file `rover`."""
     return document_of(rover, ROVER)
-
-
-def test_opening_and_saving_changes_no_byte(document: SettingsDocument, rover: Path) -> None:
-    assert not document.modified
-    save_now(document, document.content)
-    assert rover.read_bytes() == ROVER.encode()
 
 
 def test_edit_changes_only_its_value_and_comment(document: SettingsDocument, rover: Path) -> None:
@@ -197,18 +187,3 @@ def test_missing_folder_is_reported_and_the_path_is_unchanged(
     with pytest.raises(SettingsError, match="no folder"):
         save_now(document, document.content, rover.parent / "missing" / "rover.txt")
     assert document.path == rover
-
-
-@examples(5, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(before=any_settings(), after=any_settings())
-def test_edited_document_text_parses_to_its_settings(
-    qapp: QApplication, before: Settings, after: Settings
-) -> None:
-    document = SettingsDocument.of_settings(before, "any.txt", "")
-    for key, wire in after.parameters.items():
-        if document.draft.can_edit(key):
-            document.draft.parameters.edit(key, wire)
-    for key, calibration in after.calibrations.items():
-        document.draft.calibrations.edit(key, calibration)
-    assert not document.problem
-    assert SettingsDocument(document.text, "copy.txt").settings == document.settings
