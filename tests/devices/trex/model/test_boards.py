@@ -24,7 +24,6 @@ from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
 from trex_gui.devices.trex.model.setup.wiring import Movement
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.ui.devices.connection import ConnectionState
@@ -321,33 +320,18 @@ def test_selecting_another_board_ends_measurements_of_sticks(new_line: NewLine) 
     assert not harness.errors
 
 
-def test_unpowered_board_is_not_selected(new_line: NewLine) -> None:
-    harness = new_line("7", "9")
-    harness.connect_known(7, 9)
-    harness.simulator.do("@9 power off")
-    harness.select(9)
-    assert harness.presences == {7: Presence.SELECTED, 9: Presence.SILENT}
-    assert harness.device.is_connected
-    harness.wait(lambda: any("does not respond" in error for error in harness.errors))
-    harness.wait(lambda: harness.device.motors.can_arm)
-
-
-def test_edits_and_error_counts_return_with_their_board(new_line: NewLine) -> None:
+def test_edits_return_with_their_board(new_line: NewLine) -> None:
     harness = new_line("7", "9")
     device = harness.device
     harness.connect_known(7, 9)
     device.parameters.edit("serial_timeout", 5)
     device.parameters.edit("crc7_polynomial", 0x11)
-    harness.line.boards[0].serial.report(UartError.FORMAT, shut_down=False)
-    harness.wait(lambda: any(entry.count for entry in device.board.errors.entries))
     harness.select(9)
     assert device.draft.pending == 0
     assert not device.draft.undo.canUndo()
-    assert not any(entry.count for entry in device.board.errors.entries)
     device.parameters.edit("serial_timeout", 9)
     harness.select(7)
     assert dict(device.parameters.values.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
-    assert any(entry.count for entry in device.board.errors.entries)
     # Written values that need a power cycle stay known as waiting.
     device.writer.apply()
     harness.wait(lambda: device.draft.pending == 0 and not device.writer.running)
@@ -424,6 +408,7 @@ def test_settings_are_written_to_several_boards(new_line: NewLine) -> None:
         9: BoardStep.FAILED,
         12: BoardStep.FAILED,
     }
+    assert harness.presences[12] is Presence.SILENT
     assert [plan.to_write for plan in apply.plans] == [2, 2, 0, 0]
     assert "are for a TReX" in apply.plans[2].problem
     assert "does not respond" in apply.plans[3].problem
