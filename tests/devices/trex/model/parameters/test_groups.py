@@ -90,16 +90,23 @@ def test_heading_has_no_parameter_data_and_is_not_editable(model: ParameterModel
     assert not model.setData(value, 3)
 
 
-def test_grouped_model_passes_qt_model_tester(
+def test_model_passes_qt_model_tester_through_changes(
     model: ParameterModel, file: ParameterModel, qtmodeltester: ModelTester
 ) -> None:
-    for tested in (model, file):
+    other = parameters_of("trex", "1.2")
+    empty = ParameterModel()
+    for tested in (empty, model, file):
         qtmodeltester.check(tested, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
+        if tested is empty:
+            tested.load(SPECS, FACTORY, {}, power_cycled=True)
         tested.edit("motor_mode", 1)
         tested.both_motors = True
         tested.reset("motor1_current_limit")
         tested.remove("serial_timeout")
-        tested.load(SPECS, FACTORY, {}, power_cycled=True)
+        tested.record_stored({"motor_mode": 1})
+        values = {spec.key: spec.default for spec in other.readable}
+        tested.load(other, values, {}, power_cycled=True)
+        tested.discard_edits()
 
 
 # --- Reset and restore ------------------------------------------------------------------

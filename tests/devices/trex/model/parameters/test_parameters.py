@@ -4,7 +4,6 @@ from collections.abc import Mapping
 
 import pytest
 from PySide6.QtCore import QModelIndex, Qt
-from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import NoReply
@@ -55,19 +54,6 @@ def data(model: ParameterModel, key: str, role: int) -> object:
 
 
 # --- Qt model ---------------------------------------------------------------------------
-
-
-def test_model_passes_qt_model_tester_through_changes(
-    qtmodeltester: ModelTester, qtbot: QtBot
-) -> None:
-    model = ParameterModel()
-    qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
-    load(model)
-    edit(model, "serial_timeout", 9)
-    model.record_stored({"serial_timeout": 9})
-    load(model, factory(JUNIOR), JUNIOR)
-    model.discard_edits()
-    qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
 
 
 def test_each_parameter_has_a_cell_and_each_column_a_name(model: ParameterModel) -> None:
