@@ -6,8 +6,6 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.board.drive_status import drive_statuses
-from trex_gui.devices.trex.driving.blockers import DriveBlocker
-from trex_gui.devices.trex.driving.board_reasons import BoardInputs
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
@@ -49,30 +47,16 @@ def test_report_shows_speeds_that_channel_5_overrides(
     assert report_text(rc_device, 3) == "channel 3 at +99 (overridden)"
 
 
-# --- Blockers ---------------------------------------------------------------------------
-
-
-def board_inputs(device: Device) -> BoardInputs:
-    board = drive_inputs(device).board
-    assert board is not None
-    return board
-
-
-def test_blocker_follows_the_override_switch(
-    rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
-) -> None:
-    assert not board_inputs(rc_device).by_serial
-    assert drive_statuses(drive_inputs(rc_device))[0].blocker is DriveBlocker.RC_CHANNELS
-    rc_board.do("channel 5 1000us")
-    qtbot.waitUntil(lambda: board_inputs(rc_device).by_serial)
-    assert drive_statuses(drive_inputs(rc_device))[0].blocker is DriveBlocker.NOT_ARMED
+# --- Safe-start -------------------------------------------------------------------------
 
 
 def test_safe_start_reasons_need_channel_readings(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert rc_device.telemetry.raw is None
-    assert board_inputs(rc_device).safe_start == ()
+    board = drive_inputs(rc_device).board
+    assert board is not None
+    assert board.safe_start == ()
     for channel in (1, 2):  # the board requires channel 1
         rc_board.do(f"channel {channel} silent")
     rc_board.do("channel 3 1680us")
@@ -88,9 +72,20 @@ def test_safe_start_reasons_need_channel_readings(
 # --- Serial timeout ---------------------------------------------------------------------
 
 
-def effect(timeout: float) -> TimeoutStop:
-    """Return the expected effect of a timeout with UART-Error Shutdown set."""
-    return TimeoutStop.EXPECTED if timeout else TimeoutStop.OFF
+def warning_on(
+    url: str = "/dev/ttyUSB0",
+    baud: int = 19200,
+    timeout: float = 0.0,
+    stop: TimeoutStop | None = None,
+    *,
+    extra: float = 0.0,
+    is_guarded: bool = True,
+) -> tuple[str, float | None]:
+    """Return the text of the warning and the offered timeout (s)."""
+    settings = ConnectionSettings(url, LineSettings(baud), timeouts=Timeouts(extra=extra))
+    stop = stop or (TimeoutStop.EXPECTED if timeout else TimeoutStop.OFF)
+    warning = timeout_warning_on(settings, timeout, stop, is_guarded=is_guarded)
+    return ("", 0.0) if warning is None else (warning.text, warning.seconds)
 
 
 @pytest.mark.parametrize(
@@ -108,44 +103,30 @@ def effect(timeout: float) -> TimeoutStop:
 def test_timeout_warning_depends_on_port_and_baud_rate(
     url: str, baud: int, timeout: float, words: str, offered: float
 ) -> None:
-    settings = ConnectionSettings(url, LineSettings(baud))
-    warning = timeout_warning_on(settings, timeout, effect(timeout), is_guarded=True)
-    assert (warning is None) == (not words)
-    if warning is not None:
-        assert words in warning.text
-        assert warning.seconds == offered
+    text, seconds = warning_on(url, baud, timeout)
+    assert words in text
+    assert bool(text) is bool(words)
+    assert seconds == offered
 
 
-@pytest.mark.parametrize("stop", [TimeoutStop.DOUBTFUL, TimeoutStop.REFUTED])
-def test_longer_timeout_is_not_shortened_with_the_shutdown(stop: TimeoutStop) -> None:
-    warning = timeout_warning_on(ConnectionSettings("/dev/ttyUSB0"), 2.0, stop, is_guarded=True)
-    assert warning is not None
-    assert warning.seconds == 2.0
-
-
-def test_slow_line_gets_a_warning_with_the_longest_timeout() -> None:
-    settings = ConnectionSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
-    warning = timeout_warning_on(settings, 1.0, effect(1.0), is_guarded=True)
-    assert warning is not None
-    assert warning.seconds == 5.0
+def test_slow_line_and_shutdown_determine_the_offered_timeout() -> None:
+    assert warning_on("socket://robot:23", timeout=1.0, extra=10.0)[1] == 5.0, "the longest"
+    for stop in (TimeoutStop.DOUBTFUL, TimeoutStop.REFUTED):
+        assert warning_on(timeout=2.0, stop=stop)[1] == 2.0, "a longer timeout is not shortened"
 
 
 @pytest.mark.parametrize(
-    ("is_guarded", "cause"), [(True, "cable or this computer"), (False, "or this program")]
+    ("is_guarded", "timeout", "words", "offered"),
+    [
+        (True, 0.0, "cable or this computer", 0.5),
+        (False, 0.0, "or this program", 0.5),
+        (False, 12.5, "serial timeout of 12.5 s", None),
+    ],
 )
-def test_warning_names_the_program_if_there_is_no_guardian(is_guarded: bool, cause: str) -> None:
-    warning = timeout_warning_on(
-        ConnectionSettings("/dev/ttyUSB0"), 0, effect(0), is_guarded=is_guarded
-    )
-    assert warning is not None
-    assert cause in warning.text
-    assert ("guardian" in warning.text) == (not is_guarded)
-
-
-def test_missing_guardian_is_reported_with_the_timeout() -> None:
-    warning = timeout_warning_on(
-        ConnectionSettings("/dev/ttyUSB0"), 12.5, effect(12.5), is_guarded=False
-    )
-    assert warning is not None
-    assert "serial timeout of 12.5 s" in warning.text
-    assert warning.seconds is None
+def test_warning_names_the_program_if_there_is_no_guardian(
+    is_guarded: bool, timeout: float, words: str, offered: float | None
+) -> None:
+    text, seconds = warning_on(timeout=timeout, is_guarded=is_guarded)
+    assert words in text
+    assert ("guardian" in text) is not is_guarded
+    assert seconds == offered
