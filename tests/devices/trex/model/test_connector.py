@@ -251,27 +251,26 @@ def test_stopped_simulator_can_be_restarted(demo: Simulator, qtbot: QtBot) -> No
 
 
 @pytest.mark.realtime
-def test_simulator_that_exits_at_start_reports_the_reason(
-    demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    ("program", "script", "words"),
+    [
+        (sys.executable, "raise SystemExit('no memory')", "exited immediately. no memory"),
+        ("/nothing/here", "", "could not be started"),
+    ],
+)
+def test_simulator_that_does_not_start_reports_the_reason(
+    demo: Simulator,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+    program: str,
+    script: str,
+    words: str,
 ) -> None:
-    monkeypatch.setattr(
-        "trex_gui.ui.devices.simulator.simulator_command",
-        lambda: (sys.executable, ["-c", "raise SystemExit('no memory')"]),
-    )
+    command = "trex_gui.ui.devices.simulator.simulator_command"
+    monkeypatch.setattr(command, lambda: (program, ["-c", script]))
     with qtbot.waitSignal(demo.failed) as failed:
         demo.start()
-    assert failed.args == ["The simulator exited immediately. no memory"]
-
-
-def test_missing_simulator_program_is_reported(
-    demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(
-        "trex_gui.ui.devices.simulator.simulator_command", lambda: ("/nothing/here", [])
-    )
-    with qtbot.waitSignal(demo.failed) as failed:
-        demo.start()
-    assert "could not be started" in failed.args[0]
+    assert words in failed.args[0]
 
 
 def test_frozen_program_runs_itself_as_simulator(monkeypatch: pytest.MonkeyPatch) -> None:
