@@ -138,13 +138,11 @@ def test_stop_is_always_accepted(recorder: RequestRecorder, *, available: bool) 
 def test_lost_board_disarms_without_sending_until_armed_again(armed: RequestRecorder) -> None:
     armed.motors.set_speed(1, 50)
     armed.requests.clear()
-    armed.motors.set_available(False)
-    assert not armed.motors.armed
-    assert not armed.motors.is_available
-    assert armed.motors.drive(1) is None
-    armed.motors.set_available(True)
-    assert armed.motors.is_available
-    assert not armed.motors.armed
+    for is_available in (False, True):
+        armed.motors.set_available(is_available)
+        assert armed.motors.is_available is is_available
+        assert not armed.motors.armed
+        assert armed.motors.drive(1) is None
     assert armed.requests == []
     assert armed.stops == 0
 
