@@ -138,15 +138,6 @@ def test_close_reports_each_setting_and_splits_no_pair(name: str, first: int) ->
     assert len(counts) > 1 or name == "CRC off"  # this case is only a pair
 
 
-def test_skipped_settings_can_be_written_later() -> None:
-    case = CLOSED_CASES["all_parameters"]
-    for moment in moments(case)[::15]:
-        writing = close_at(case, moment)
-        attempt = writing.attempt.run()
-        assert [result.error for result in attempt.results] == [None] * len(attempt.results)
-        assert attempt.stored == case.after
-
-
 def test_close_cancels_write_that_has_not_started() -> None:
     attempt = scheduled_write(CLOSED_CASES["all_parameters"])
     attempt.harness.script.at(0.0, Close())

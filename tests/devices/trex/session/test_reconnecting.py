@@ -3,6 +3,7 @@
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
+from typing import Any
 
 import pytest
 
@@ -28,7 +29,7 @@ from trex_gui.devices.trex.protocol.commands import STOP, GetMode, GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.framing import Framing
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.session.messages import (
     Batch,
@@ -117,12 +118,6 @@ def test_board_reconnects_at_any_expected_line_settings(
     assert not motor_commands
 
 
-def test_board_reconnects_with_new_polynomial() -> None:
-    old = replace(OLD, line=CRC)
-    new = replace(old, polynomial=0xFF)
-    assert run_until_return(ReconnectHarness(old).cut_power(new, new=new)).settings == new
-
-
 def test_board_reconnects_with_new_device_number() -> None:
     harness = ReconnectHarness(replace(OLD, device_number=7))
     new = ConnectionSettings("virtual", CRC, 100)
@@ -162,12 +157,6 @@ def test_board_reconnects_at_settings_that_it_stored() -> None:
     _, reloaded, returned = harness.connections
     assert reloaded.settings == OLD
     assert after_power_cycle(OLD, reloaded.state.parameters, "1.2") == new == returned.settings
-
-
-def test_board_reconnects_at_factory_line_settings() -> None:
-    old = replace(OLD, line=LineSettings(9600))
-    harness = ReconnectHarness(old).cut_power(replace(OLD, line=CRC), new=OLD)
-    assert run_until_return(harness).settings == OLD
 
 
 def test_candidates_survive_return_at_unchanged_settings() -> None:
@@ -483,14 +472,6 @@ CONNECTION = ConnectionSettings("/dev/ttyUSB0", name="adapter", timeouts=Timeout
 FACTORY = {spec.key: spec.default for spec in parameters_of("trex", "1.2").readable}
 
 
-@pytest.mark.parametrize("baud", baud_rates())
-@pytest.mark.parametrize("detection", list(Detection))
-def test_stored_uart_settings_become_line_settings(baud: int, detection: Detection) -> None:
-    line = LineSettings(baud, detection, 2)
-    new = after_power_cycle(CONNECTION, {"uart_settings": line.to_wire()}, "1.2")
-    assert new == replace(CONNECTION, line=line)
-
-
 CRC_19200 = LineSettings(19200, Detection.CRC7)
 
 
@@ -525,29 +506,37 @@ def test_power_cycle_activates_stored_values(
     assert after_power_cycle(old, stored, firmware) == new
 
 
-def test_unchanged_line_has_no_reconnect_candidates() -> None:
-    assert reconnect_candidates(CONNECTION, FACTORY, {**FACTORY, "serial_timeout": 5}, "1.2") == ()
-
-
-def test_reconnect_candidates_include_factory_polynomial() -> None:
-    old = ConnectionSettings("/dev/ttyUSB0", line=CRC_19200, polynomial=0x91)
-    before = {**FACTORY, "uart_settings": CRC_19200.to_wire(), "crc7_polynomial": 0x11}
-    candidates = reconnect_candidates(old, before, {**before, "crc7_polynomial": 0x15}, "1.2")
-    assert [candidate.polynomial for candidate in candidates] == [0x95, 0x89]
-    assert {candidate.line for candidate in candidates} == {CRC_19200}
-
-
-def test_reconnect_candidates_include_factory_device_number() -> None:
-    old = ConnectionSettings("/dev/ttyUSB0", device_number=20)
-    before = {**FACTORY, "device_number": 20}
-    candidates = reconnect_candidates(old, before, {**before, "device_number": 9}, "1.2")
-    assert [candidate.device_number for candidate in candidates] == [9, 7]
-
-
-def test_new_line_is_probed_with_new_and_factory_polynomial() -> None:
-    after = {**FACTORY, "uart_settings": CRC.to_wire(), "crc7_polynomial": 0x15}
-    candidates = reconnect_candidates(CONNECTION, FACTORY, after, "1.2")
-    assert {(candidate.line, candidate.framing.polynomial) for candidate in candidates} >= {
-        (CRC, 0x95),
-        (CRC, 0x89),
-    }
+@pytest.mark.parametrize(
+    ("old", "before", "after", "new"),
+    [
+        (CONNECTION, {}, {"serial_timeout": 5}, []),
+        (
+            replace(CONNECTION, device_number=20),
+            {"device_number": 20},
+            {"device_number": 9},
+            [{"device_number": 9}, {"device_number": 7}],
+        ),
+        (
+            replace(CONNECTION, line=CRC_19200, polynomial=0x91),
+            {"uart_settings": CRC_19200.to_wire(), "crc7_polynomial": 0x11},
+            {"crc7_polynomial": 0x15},
+            [{"polynomial": 0x95}, {"polynomial": 0x89}],
+        ),
+        (
+            CONNECTION,
+            {},
+            {"uart_settings": CRC.to_wire(), "crc7_polynomial": 0x15},
+            [{"line": CRC, "polynomial": 0x95}, {"line": CRC}, {"polynomial": 0x95}],
+        ),
+    ],
+    ids=["unchanged line", "number", "polynomial", "line and polynomial"],
+)
+def test_reconnect_candidates_include_factory_defaults(
+    old: ConnectionSettings,
+    before: dict[str, int],
+    after: dict[str, int],
+    new: list[dict[str, Any]],
+) -> None:
+    before = {**FACTORY, **before}
+    candidates = reconnect_candidates(old, before, {**before, **after}, "1.2")
+    assert candidates == tuple(replace(old, **changes) for changes in new)

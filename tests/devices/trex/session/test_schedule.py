@@ -102,18 +102,6 @@ def test_poll_rates_match_update_rates_of_source() -> None:
         assert rates(source)[Raw] == rates(source)[Remapped] == 50
 
 
-def test_late_polls_do_not_lower_rate() -> None:
-    schedule = Schedule()
-    schedule.start({LatchedStatus: 10.0}, 0.0)
-    polled = 0
-    for step in range(1000):
-        now = step * 0.013  # never exactly at a due time
-        if schedule.next(now):
-            schedule.record_poll(LatchedStatus, now)
-            polled += 1
-    assert polled == pytest.approx(130, abs=2)
-
-
 def test_polls_missed_in_a_pause_are_skipped() -> None:
     schedule = Schedule()
     schedule.start({Currents: 80.0}, 0.0)

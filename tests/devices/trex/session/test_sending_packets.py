@@ -106,10 +106,12 @@ def test_uart_errors_are_read_after_lost_reply_to_typed_packet(harness: SessionH
     assert [sample.uart for sample in latched] == [UartError.PARITY]
 
 
-def test_typed_write_reads_board_again(harness: SessionHarness) -> None:
-    harness.script.at(1.0, packet(1, "AF 07 0F 55 2A"))
-    reports = run_for(harness, 3.0)
-    assert outcomes(reports)[1].value == b"\0"
+@pytest.mark.parametrize("lost", [0, 1])
+def test_typed_write_reads_board_again(harness: SessionHarness, lost: int) -> None:
+    harness.script.at(1.0, harness.fault(to_drop=lost)).at(1.0, packet(1, "AF 07 0F 55 2A"))
+    reports = run_for(harness, 6.0)
+    assert outcomes(reports)[1].value == (None if lost else b"\0")
+    assert isinstance(outcomes(reports)[1].error, NoReply) is bool(lost)
     assert of_type(reports, Connected)[-1].state.parameters["serial_timeout"] == 15
     assert not motor_commands_in(harness.transport.sent)
 
@@ -119,11 +121,3 @@ def test_board_reconnects_at_line_settings_of_typed_packet(harness: SessionHarne
     harness.script.at(2.0, harness.board.power_off).at(4.0, harness.board.power_on)
     reports = run_for(harness, 12.0)
     assert of_type(reports, Connected)[-1].settings.line == LineSettings(115200)
-
-
-def test_typed_write_without_reply_reads_board_again(harness: SessionHarness) -> None:
-    harness.script.at(1.0, harness.fault(to_drop=1))
-    harness.script.at(1.0, packet(1, "AF 0E 0F 55 2A"))
-    reports = run_for(harness, 6.0)
-    assert isinstance(outcomes(reports)[1].error, NoReply)
-    assert of_type(reports, Connected)[-1].state.parameters["motor1_acceleration"] == 15

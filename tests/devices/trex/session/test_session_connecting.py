@@ -67,13 +67,6 @@ def test_session_connects_at_settings_of_board(
     assert report.state.parameters["uart_settings"] == settings.line.to_wire()
 
 
-def test_reading_reports_progress(harness: SessionHarness) -> None:
-    steps = of_type(run_for(harness, 1.0), Progress)
-    assert [step.done for step in steps] == sorted(step.done for step in steps)
-    assert steps[-1].done == steps[-1].total
-    assert len({step.total for step in steps[1:]}) == 1
-
-
 def test_setpoint_before_board_is_read_is_sent(harness: SessionHarness) -> None:
     harness.script.at(0.0, SetMotor(1, Drive.at(30)))
     run_for(harness, 1.0)

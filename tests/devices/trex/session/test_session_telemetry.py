@@ -215,12 +215,6 @@ def test_uart_error_is_read_after_lost_status_reply(harness: SessionHarness) -> 
     assert latched.uart == UartError.PARITY
 
 
-def test_error_latched_before_connecting_is_reported(harness: SessionHarness) -> None:
-    harness.board.report_error(UartError.TIMEOUT)
-    (latched,) = samples(run_for(harness, 1.0), LatchedStatus)
-    assert latched.uart == UartError.TIMEOUT
-
-
 # --- Telemetry during other requests ----------------------------------------------------
 
 
