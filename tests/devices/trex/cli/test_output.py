@@ -28,11 +28,6 @@ def test_board_is_exported_in_each_language(
     assert motor["target_speed"] == 0 or motor["target_direction"] == "brake"
 
 
-def test_export_to_unwritable_path_fails(trexcmd: RunCommand, tmp_path: Path) -> None:
-    result = trexcmd("export", "--as", "python", str(tmp_path / "missing" / "board.py"), exits=1)
-    assert "missing" in result.stderr
-
-
 def test_report_has_status_settings_and_traffic(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
