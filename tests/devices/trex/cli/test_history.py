@@ -2,27 +2,20 @@
 
 import json
 import re
-from dataclasses import replace
-from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
 from click.shell_completion import ShellComplete
 
-from tests.devices.trex.settings.samples import factory
 from tests.support.simulator import SimulatedDevice
+from tests.support.snapshots import create_snapshot
 from tests.support.virtual_command import RunCommand
 from trex_gui.cli import main
-from trex_gui.devices.trex.settings.history import LIMIT_FILE, Limit, SettingsHistory
-
-NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
+from trex_gui.devices.trex.settings.history import LIMIT_FILE, Limit, SettingsHistory, Snapshot
 
 
-def save_snapshot(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) -> Path:
-    settings = factory()
-    settings = replace(settings, parameters={**settings.parameters, **values})
-    now = NOON + timedelta(minutes=minutes)
-    return SettingsHistory().save(settings, adapter="FT232R (ttyUSB0)", reason=reason, now=now).path
+def save_snapshot(reason: str = "Apply of 1 setting", **values: int) -> Snapshot:
+    return create_snapshot(SettingsHistory(), reason=reason, **values)
 
 
 def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) -> None:
@@ -35,40 +28,40 @@ def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) ->
 
 
 def test_escape_sequences_of_names_do_not_reach_the_terminal(trexcmd: RunCommand) -> None:
-    path = save_snapshot(reason="trexcmd set-settings '\x1b]0;title\x07\x1b[2J'")
+    path = save_snapshot("trexcmd set-settings '\x1b]0;title\x07\x1b[2J'").path
     path.write_text(path.read_text().replace("FT232R", "FT\x1b[31m232R"))
     for result in (trexcmd("history"), trexcmd("history", "show", "\x1b[2J", exits=1)):
         assert not {"\x1b", "\x07"} & set(result.stdout + result.stderr)
 
 
 def test_history_lists_newest_snapshot_first(trexcmd: RunCommand) -> None:
-    save_snapshot(0)
-    path = save_snapshot(1, reason="trexcmd restore-defaults", device_number=9)
+    save_snapshot()
+    snapshot = save_snapshot("trexcmd restore-defaults", device_number=9)
     lines = trexcmd("history", TREX_PORT="").stdout.splitlines()
-    local = (NOON + timedelta(minutes=1)).astimezone().strftime("%Y-%m-%d %H:%M:%S")
+    local = snapshot.taken.astimezone().strftime("%Y-%m-%d %H:%M:%S")
     assert lines[0].split() == ["Time", "Board", "No.", "Adapter", "Before"]
     cells = [local, "TReX 1.2", "9", "FT232R (ttyUSB0)", "trexcmd restore-defaults"]
     assert re.split(r"  +", lines[1].strip()) == ["1", *cells]
     assert lines[2].endswith("Apply of 1 setting")
     row, _ = json.loads(trexcmd("history", "--json").stdout)
     assert row["number"] == 1
-    assert row["taken"] == "2026-11-21T12:01:00+00:00"
+    assert row["taken"] == snapshot.taken.isoformat()
     assert (row["device_number"], row["adapter"]) == (9, "FT232R (ttyUSB0)")
     assert row["problem"] is None
-    assert row["path"] == str(path)
+    assert row["path"] == str(snapshot.path)
     assert "after show" in trexcmd("history", "--json", "show", "1", exits=2).stderr
 
 
 def test_damaged_snapshot_is_listed_as_damaged(trexcmd: RunCommand) -> None:
-    save_snapshot().write_text("", encoding="utf-8")
+    save_snapshot().path.write_text("", encoding="utf-8")
     assert "damaged" in trexcmd("history").stdout
     assert "It is empty." in trexcmd("history").stdout
     trexcmd("history", "show", "1", exits=1)
 
 
 def test_snapshot_is_shown_by_number_and_by_path(trexcmd: RunCommand) -> None:
-    path = save_snapshot(0, serial_timeout=5)
-    save_snapshot(1)
+    path = save_snapshot(serial_timeout=5).path
+    save_snapshot()
     shown = trexcmd("history", "show", "2")
     assert shown.stdout == path.read_text(encoding="utf-8")
     assert trexcmd("history", "show", str(path)).stdout == shown.stdout
@@ -88,8 +81,8 @@ def test_unknown_snapshot_number_fails_without_traceback(
 
 
 def test_history_diff_compares_first_snapshot_with_second(trexcmd: RunCommand) -> None:
-    save_snapshot(0, serial_timeout=5)
-    save_snapshot(1, serial_timeout=7)
+    save_snapshot(serial_timeout=5)
+    save_snapshot(serial_timeout=7)
     trexcmd("history", "diff", "2", "2")
     assert "5 → 7" in trexcmd("history", "diff", "2", "1", exits=1).stdout
 
@@ -98,7 +91,7 @@ def test_history_diff_compares_snapshot_with_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 7")
-    save_snapshot(0, serial_timeout=5)
+    save_snapshot(serial_timeout=5)
     result = trexcmd("history", "diff", "1", "--json", exits=1)
     rows = {row["key"]: row for row in json.loads(result.stdout)["differing"]}
     assert (rows["serial_timeout"]["before"], rows["serial_timeout"]["after"]) == (7, 5)
@@ -116,8 +109,8 @@ def test_history_keep_sets_and_prints_the_limit(trexcmd: RunCommand) -> None:
 
 
 def test_lower_history_limit_prompts_before_removing_snapshots(trexcmd: RunCommand) -> None:
-    for minutes in range(5):
-        save_snapshot(minutes)
+    for _ in range(5):
+        save_snapshot()
     result = trexcmd("history", "keep", "2", stdin="n\n", exits=1)
     assert "Remove the oldest 3 of 5 snapshots permanently?" in result.stderr
     assert len(SettingsHistory().snapshots()) == 5
@@ -154,8 +147,8 @@ def test_completion_describes_snapshot_numbers() -> None:
 
 
 def test_snapshot_is_selected_by_its_name(trexcmd: RunCommand) -> None:
-    path = save_snapshot(0, serial_timeout=5)
-    save_snapshot(1)
+    path = save_snapshot(serial_timeout=5).path
+    save_snapshot()
     trexcmd("history", "name", "2", "contest", "--note", "as it won")
     assert trexcmd("history", "path", "contest").stdout == f"{path}\n"
     assert "serial_timeout: 5" in trexcmd("history", "show", "contest").stdout
