@@ -7,6 +7,7 @@ import pytest
 from click.testing import CliRunner
 
 from tests.devices.trex.cli.conftest import becomes
+from tests.devices.trex.conftest import STOPPED, motor
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand
 from tests.support.virtual_devices import VirtualSimulator
@@ -151,15 +152,12 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("set serial_timeout 999", "off to 12.7 s (wire value 0 to 127), not 999"),
         ("set serial_timeout soon", "off to 12.7 s, not soon"),
         ("set serial_timeout '1,000 ms'", "1,000 is ambiguous: write 1 or 1000"),
-        ("set motor1_current_limit '1.500 mA'", "1.500 is ambiguous: write 1.5 or 1500"),
         ("set serial_timeout 5.", "5. has no unit, and a wire value must be a whole number"),
         ("set serial_timeot 2", "Did you mean serial_timeout?"),
         ("set factory_reset 127", "`trexcmd restore-defaults`"),
-        ("set factory_reset restore", "`trexcmd restore-defaults`"),
         ("get nosuch", "No TReX has a parameter 'nosuch'."),
         ("get factory_reset", "can only be written"),
         ("calibration set 1 99999 99999 99999 20", "a calibration value must be 0 to 16383"),
-        ("calibration set 1 3000 2000 4000 20", "minimum 3000 is above neutral 2000"),
         ("calibration set 1 1ms 2V 2ms 20", "cannot contain both µs and V"),
         (
             "calibration set 1 '1,000 µs' 1500us 2000us 20",
@@ -176,12 +174,9 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("list --port socket://host:99999", "socket://host:port"),
         ("aracna query --port rfc2217://:1", "rfc2217://host:port"),
         ("motor 1 20 --seconds inf", "inf is not a number"),
-        ("motor 1 20 --seconds 1.000", "1.000 is ambiguous: write 1 or 1000"),
         ("motor 1 128", "-127 to 127"),
-        ("motor 1 -128", "-127 to 127"),
         ("motor 3 10", "is not one of"),
         ("motor aux -1", "0 to 127"),
-        ("motor aux 128", "0 to 127"),
         ("motor aux 5 --brake", "has no brake"),
         ("motor 1 -5 --brake", "0 to 127"),
         ("motor 1 fast", "is not a valid integer"),
@@ -211,17 +206,13 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("set-settings any.txt --devices 3,3", "each device number only once"),
         ("set-settings any.txt --devices 128", "0 to 127, not '128'"),
         ("set-settings any.txt --devices ''", "0 to 127, not ''"),
-        ("set-settings any.txt --devices '3;7'", "0 to 127, not"),
         ("check-settings any.txt - --json", "cannot both use standard output"),
         ("diff - -", "standard input"),
         ("history path -- -1", "is neither the number"),
         ("history path first", "is neither the number"),
-        ("history path 1.5", "is neither the number"),
         ("history path ./1", "is neither the number"),
         ("history keep 0", "Give a number of snapshots"),
-        ("history keep -- -1", "Give a number of snapshots"),
         ("history keep many", "Give a number of snapshots"),
-        ("history keep 1.5", "Give a number of snapshots"),
         ("history keep 10000000", "Give a number of snapshots"),
         (f"history keep {'9' * 5000}", "Give a number of snapshots"),
         ("check-settings ''", "name of the file is empty"),
@@ -244,10 +235,9 @@ def test_stop_brakes_running_motors(trexcmd: RunCommand, quick_simulator: Simula
     port.write(bytes.fromhex("C2 50"))
     port.wait(0.1)
     port.close()
-    assert becomes(lambda: quick_simulator.show()["motors"][0]["speed"], 0x50)
+    assert becomes(lambda: motor(quick_simulator), ("forward", 0x50))
     trexcmd("stop")
-    motor = quick_simulator.show()["motors"][0]
-    assert (motor["direction"], motor["speed"]) == ("brake", 127)
+    assert motor(quick_simulator) == STOPPED
 
 
 def test_missing_parameter_exits_with_1(
@@ -281,8 +271,3 @@ def test_status_names_the_options_that_reach_the_board(
     assert "in learning mode" in trexcmd("status", exits=1).stderr
     quick_simulator.do("jumper mix off", "jumper so-ground off")
     assert "is in its boot loader" in trexcmd("status", "--parity", "odd", exits=1).stderr
-
-
-def test_wrong_baud_rate_is_named_in_the_error(trexcmd: RunCommand) -> None:
-    result = trexcmd("get", "device_number", "--baud", "9600", "--timeout=0", exits=1)
-    assert "9600 baud" in result.stderr

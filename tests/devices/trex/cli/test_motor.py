@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 
 from tests.devices.trex.cli.conftest import LONG_TIMEOUT, StartProcess, becomes, outputs
+from tests.devices.trex.conftest import STOPPED, motor
 from tests.devices.trex.simulator.waiting import comes_true
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
@@ -37,8 +38,7 @@ def run_motor_1(start: StartCommand, simulator: SimulatedDevice) -> VirtualComma
 
 
 def braked(simulator: SimulatedDevice) -> bool:
-    motors = simulator.show()["motors"]
-    return all((m["direction"], m["speed"]) == ("brake", 127) for m in motors)
+    return all(motor(simulator, number) == STOPPED for number in (1, 2))
 
 
 @pytest.mark.parametrize(
@@ -193,10 +193,7 @@ def test_motor_command_prevents_a_short_serial_timeout(
 
 def test_brake_option_brakes_motor(start: StartCommand, quick_simulator: SimulatedDevice) -> None:
     command = start("motor", "1", "33", "--brake")
-    assert becomes(
-        lambda: [quick_simulator.show()["motors"][0][key] for key in ("direction", "speed")],
-        ["brake", 33],
-    )
+    assert becomes(lambda: motor(quick_simulator), ("brake", 33))
     command.terminate()
     command.communicate()
 
@@ -328,8 +325,8 @@ def test_stop_names_the_process_that_holds_the_port(
 @pytest.mark.skipif(sys.platform == "win32", reason="the guardian inherits a descriptor")
 def test_guardian_works_without_standard_streams(quick_simulator: SimulatedDevice) -> None:
     """The descriptor of the port is then the number of a closed standard stream."""
-    motor = [sys.executable, "-m", "trex_gui.cli", "motor", "1", "60", "--port"]
-    command = ["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", *motor, quick_simulator.url]
+    run = [sys.executable, "-m", "trex_gui.cli", "motor", "1", "60", "--port"]
+    command = ["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", *run, quick_simulator.url]
     with subprocess.Popen([*command, f"--timeout={LONG_TIMEOUT:g}"]) as process:
         assert comes_true(lambda: outputs(quick_simulator) == [60, 0, 0])
         errors = quick_simulator.show()["counters"]["uart_errors"]

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.devices.trex.cli.conftest import becomes, outputs
+from tests.devices.trex.conftest import STOPPED, motor
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand, StartCommand
 from trex_gui.core.transport.transcript import read_transcript
@@ -100,8 +101,7 @@ def test_raw_motor_command_is_followed_by_a_stop(
     assert output == "72\n"
     assert "set motor 1 to forward 80. This may move a motor" in errors
     assert errors.endswith("Stopped.\n")
-    motor = quick_simulator.show()["motors"][0]
-    assert (motor["direction"], motor["speed"]) == ("brake", 127)
+    assert motor(quick_simulator) == STOPPED
 
     words = ("raw", "--motors", "--seconds", "0.5")
     trexcmd(*words, "F0 20")

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.devices.trex.conftest import STOPPED, motor
 from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
@@ -177,10 +178,6 @@ def test_motor_turns_only_while_space_is_held(
 ) -> None:
     key, results = "", []
 
-    def motor() -> tuple[str, int]:
-        state = quick_simulator.show()["motors"][0]
-        return state["direction"], state["speed"]
-
     def run() -> None:
         with Trex(quick_simulator.url) as trex:
             results.append(pulse(trex, 1, lambda: key))
@@ -189,13 +186,13 @@ def test_motor_turns_only_while_space_is_held(
     virtual_time.run_until(lambda: False, 3)
     key = "x"
     virtual_time.run_until(lambda: False, 1)
-    assert motor()[0] != "forward", "another key does not drive"
+    assert motor(quick_simulator)[0] != "forward", "another key does not drive"
     key = " "
-    program.until(lambda: motor() == ("forward", 30))
+    program.until(lambda: motor(quick_simulator) == ("forward", 30))
     virtual_time.run_until(lambda: False, 2)
-    assert motor() == ("forward", 30)
+    assert motor(quick_simulator) == ("forward", 30)
     key, released = "", virtual_time.now()
-    program.until(lambda: motor() == ("brake", 127))
+    program.until(lambda: motor(quick_simulator) == STOPPED)
     assert virtual_time.now() - released < 0.5
     assert not program.has_ended
     key = "q"
