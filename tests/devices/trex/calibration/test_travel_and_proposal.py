@@ -174,11 +174,6 @@ def test_outliers_do_not_extend_the_travel() -> None:
     assert abs(travel.end(Way.DOWN) - 2500) <= 2
 
 
-def test_signal_lost_during_travel_is_reported() -> None:
-    travel = travel_of(Stick(lost=0.7), neutral_of(Stick()), moves=HOLD * 3)
-    assert ProblemKind.JITTER in [problem.kind for problem in travel.problems]
-
-
 def travel_of_counts(counts: list[int | None]) -> Travel:
     """Return the travel of a stick that rests at 3750 and gives 50 counts a second."""
     travel = Travel(neutral_of(Stick()), Task.STICK)

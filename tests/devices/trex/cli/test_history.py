@@ -3,6 +3,7 @@
 import json
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.shell_completion import ShellComplete
@@ -14,7 +15,7 @@ from trex_gui.cli import main
 from trex_gui.devices.trex.settings.history import LIMIT_FILE, Limit, SettingsHistory, Snapshot
 
 
-def save_snapshot(reason: str = "Apply of 1 setting", **values: int) -> Snapshot:
+def save_snapshot(reason: str = "Apply of 1 setting", **values: Any) -> Snapshot:
     return create_snapshot(SettingsHistory(), reason=reason, **values)
 
 

@@ -4,6 +4,7 @@ import contextlib
 import errno
 import shutil
 import sqlite3
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -103,24 +104,34 @@ def test_undecodable_port_name_does_not_end_the_recording(path: Path) -> None:
 # --- Crash, power failure, full disk ----------------------------------------------------
 
 
-def files_after_crash(folder: Path, name: str) -> Path:
-    """Copy a recording and its log in their state after a crash."""
-    crashed = folder / f"crashed_{name}"
+def crash(
+    folder: Path,
+    *,
+    synced: Sequence[Record] = (),
+    committed: Sequence[Record] = (),
+    written: Sequence[Record] = (),
+) -> Path:
+    """Record, and copy the recording and its log in their state after a crash."""
+    writer = RecordingWriter[Header, Record](folder / "a.trexrec", FORMAT, HEADER)
+    writer.write(synced)
+    writer.sync()
+    for first in range(0, len(committed), 50):
+        writer.write(committed[first : first + 50])
+        writer.commit()
+    writer.write(written)
+    crashed = folder / "crashed"
     crashed.mkdir(exist_ok=True)
-    for file in folder.glob(f"{name}.trexrec*"):
+    for file in folder.glob("a.trexrec*"):
         if not file.name.endswith("-shm"):
             shutil.copy(file, crashed)
-    return crashed / f"{name}.trexrec"
+    writer.close()
+    return crashed / "a.trexrec"
 
 
 def test_committed_records_survive_a_crash(tmp_path: Path) -> None:
     records = list(drive_records(2))
-    writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
-    writer.write(records[:100])
-    writer.commit()
-    writer.write(records[100:])
-    assert read_file(files_after_crash(tmp_path, "a")) == (HEADER, records[:100], NOT_CLOSED)
-    writer.close()
+    path = crash(tmp_path, committed=records[:100], written=records[100:])
+    assert read_file(path) == (HEADER, records[:100], NOT_CLOSED)
 
 
 @examples(15)
@@ -128,15 +139,8 @@ def test_committed_records_survive_a_crash(tmp_path: Path) -> None:
 def test_power_failure_keeps_records_up_to_the_last_sync(folder: Path, share: float) -> None:
     """The main file is complete up to the last sync. The log may end anywhere."""
     records = list(drive_records(3))
-    writer = RecordingWriter[Header, Record](folder / "power.trexrec", FORMAT, HEADER)
-    writer.write(records[:200])
-    writer.sync()
-    for first in range(200, len(records), 50):
-        writer.write(records[first : first + 50])
-        writer.commit()
-    path = files_after_crash(folder, "power")
-    writer.close()
-    log = path.with_name("power.trexrec-wal")
+    path = crash(folder, synced=records[:200], committed=records[200:])
+    log = path.with_name("a.trexrec-wal")
     data = log.read_bytes()
     log.write_bytes(data[: int(share * len(data))])
     header, found, problems = read_file(path)
@@ -148,15 +152,9 @@ def test_power_failure_keeps_records_up_to_the_last_sync(folder: Path, share: fl
 
 def test_recording_without_its_log_is_readable(tmp_path: Path) -> None:
     records = list(drive_records(2))
-    writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
-    writer.write(records[:100])
-    writer.sync()
-    writer.write(records[100:])
-    writer.commit()
-    path = files_after_crash(tmp_path, "a")
+    path = crash(tmp_path, synced=records[:100], committed=records[100:])
     path.with_name("a.trexrec-wal").unlink()
     assert read_file(path) == (HEADER, records[:100], NOT_CLOSED)
-    writer.close()
 
 
 def test_recording_in_progress_is_rejected(path: Path) -> None:
@@ -203,24 +201,16 @@ def test_existing_recording_is_replaced_with_its_log(path: Path, tmp_path: Path)
     assert [file.name for file in tmp_path.iterdir()] == ["a.trexrec"]
 
 
-def test_recording_is_copied_with_its_log(path: Path, tmp_path: Path) -> None:
+def test_recording_is_copied_with_its_log(tmp_path: Path) -> None:
     records = list(drive_records(2))
-    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
-    writer.write(records)
-    writer.commit()
     copy = tmp_path / "copy.trexrec"
-    copy_recording(files_after_crash(tmp_path, "a"), copy)
-    writer.close()
+    copy_recording(crash(tmp_path, committed=records), copy)
     assert read_file(copy) == (HEADER, records, NOT_CLOSED)
     assert [file.name for file in tmp_path.glob("*copy*")] == ["copy.trexrec"]
 
 
 def test_copy_replaces_a_recording_and_its_log(path: Path, tmp_path: Path) -> None:
-    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
-    writer.write(list(drive_records(2)))
-    writer.commit()
-    target = files_after_crash(tmp_path, "a")
-    writer.close()
+    target = crash(tmp_path, committed=list(drive_records(2)))
     new: list[Record] = [Marker(1300.0, "note", "new")]
     write(path, new)
     copy_recording(path, target)
@@ -432,13 +422,7 @@ def read_only_records(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[R
     """Records of a crashed recording on a read-only medium. Its log contains the second half."""
     records = list(drive_records(1))
     half = len(records) // 2
-    writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
-    writer.write(records[:half])
-    writer.sync()
-    writer.write(records[half:])
-    writer.commit()
-    files_after_crash(tmp_path, "a")
-    writer.close()
+    crash(tmp_path, synced=records[:half], committed=records[half:])
     connect = sqlite3.connect
 
     def fail(location: str, **options: Any) -> sqlite3.Connection:
@@ -454,7 +438,7 @@ def read_only_records(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[R
 def test_crashed_recording_on_read_only_medium_is_complete(
     tmp_path: Path, read_only_records: list[Record]
 ) -> None:
-    path = tmp_path / "crashed_a" / "a.trexrec"
+    path = tmp_path / "crashed" / "a.trexrec"
     assert read_file(path) == (HEADER, read_only_records, NOT_CLOSED)
 
 
@@ -465,7 +449,7 @@ def test_log_that_cannot_be_copied_is_reported(
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr(shutil, "copyfile", fail)
-    _, found, problems = read_file(tmp_path / "crashed_a" / "a.trexrec")
+    _, found, problems = read_file(tmp_path / "crashed" / "a.trexrec")
     assert found == read_only_records[: len(read_only_records) // 2]
     assert problems == [
         "The log of the recording cannot be read, so the last samples are missing.",
