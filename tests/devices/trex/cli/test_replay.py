@@ -39,14 +39,23 @@ def test_replayed_transcript_of_the_simulator_has_no_difference(
 
 
 @pytest.mark.parametrize(
-    "options", [("--model", "trexjr", "--firmware", "1.0"), ("--mode", "analog"), ("--echo",)]
+    ("options", "command"),
+    [
+        ("--model trexjr --firmware 1.0", ("get-settings", "-")),
+        ("--mode analog", ("get-settings", "-")),
+        ("--echo", ("get-settings", "-")),
+        ("--device 9", ("raw", "80 09 1F 07")),  # the number is read from the answered packet
+    ],
 )
 def test_replayed_board_starts_in_the_state_of_the_transcript(
-    trexcmd: RunCommand, start_simulator: StartSimulator, transcript: Path, options: tuple[str, ...]
+    trexcmd: RunCommand,
+    start_simulator: StartSimulator,
+    transcript: Path,
+    options: str,
+    command: tuple[str, ...],
 ) -> None:
-    simulator = start_simulator(*options)
-    words = ("--port", simulator.url, "--traffic", str(transcript))
-    trexcmd("get-settings", "-", *words)
+    simulator = start_simulator(*options.split())
+    trexcmd(*command, "--port", simulator.url, "--traffic", str(transcript))
     trexcmd("replay", str(transcript))
 
 
@@ -59,15 +68,6 @@ def test_replay_detects_crc_and_its_polynomial(
     quick_simulator.do("power cycle")
     words = ("--crc", "--polynomial", polynomial, "--traffic", str(transcript))
     trexcmd("get", "device_number", *words)
-    trexcmd("replay", str(transcript))
-
-
-def test_replay_reads_device_number_from_answered_packets(
-    trexcmd: RunCommand, start_simulator: StartSimulator, transcript: Path
-) -> None:
-    simulator = start_simulator("--device", "9")
-    words = ("--port", simulator.url, "--traffic", str(transcript))
-    trexcmd("raw", "80 09 1F 07", *words)
     trexcmd("replay", str(transcript))
 
 

@@ -2,8 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from types import MappingProxyType
-from typing import NamedTuple
 
 import pytest
 from hypothesis import Phase, given
@@ -36,16 +34,6 @@ def trex(firmware: str | None = None, **parameters: int) -> Settings:
     return Settings(TREX, firmware, parameters)
 
 
-class Expected(NamedTuple):
-    """Expected finding."""
-
-    rule: str
-    message: str
-    keys: tuple[str, ...]
-    change: Mapping[str, int] = MappingProxyType({})
-    proposal: str = ""
-
-
 def only_finding(settings: Settings, context: Context = NO_CONTEXT) -> LintFinding:
     (finding,) = lint(settings, context)
     return finding
@@ -62,17 +50,17 @@ def calibrated(key: str, *points: int) -> Settings:
 # --- One complete finding for each rule --------------------------------------------------
 
 
-EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
+EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
     expected.rule: (settings, context, expected)
     for settings, context, expected in [
         (
             trex(serial_timeout=0),
             DRIVING,
-            Expected(
+            LintFinding(
                 "no_serial_timeout",
+                ("serial_timeout", "uart_error_shutdown"),
                 "Serial Timeout is off while a computer drives the motors: if the cable or the "
                 "computer fails, the motors keep running at their last setpoint.",
-                ("serial_timeout", "uart_error_shutdown"),
                 {"serial_timeout": 5, "uart_error_shutdown": 1},
                 "Set Serial Timeout to 0.5 s and UART-Error Shutdown to on",
             ),
@@ -80,11 +68,11 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             trex(serial_timeout=5, uart_error_shutdown=0),
             NO_CONTEXT,
-            Expected(
+            LintFinding(
                 "timeout_without_shutdown",
+                ("serial_timeout", "uart_error_shutdown"),
                 "Serial Timeout of 0.5 s may not stop the motors if the cable or the computer "
                 "fails: UART-Error Shutdown is off (twin).",
-                ("serial_timeout", "uart_error_shutdown"),
                 {"uart_error_shutdown": 1},
                 "Set UART-Error Shutdown to on",
             ),
@@ -92,11 +80,11 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             trex(motor_mode=1, motor1_current_limit=10, motor2_current_limit=20),
             Context(),
-            Expected(
+            LintFinding(
                 "limit_in_joint_mode",
+                ("motor_mode", "motor1_current_limit", "motor2_current_limit"),
                 "No effect in joint mode: Motor 1 Current Limit (3 A) and Motor 2 Current Limit (6 "
                 "A). In this mode the board measures no current, so the motor is not protected.",
-                ("motor_mode", "motor1_current_limit", "motor2_current_limit"),
                 {"motor1_current_limit": 0, "motor2_current_limit": 0},
                 "Set Motor 1 Current Limit and Motor 2 Current Limit to off",
             ),
@@ -104,12 +92,12 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             trex(motor2_current_limit=10, motor2_current_limit_p=0),
             Context(),
-            Expected(
+            LintFinding(
                 "limit_without_gain",
+                ("motor2_current_limit", "motor2_current_limit_p"),
                 "Motor 2 Current Limit is 3 A, but its proportionality constant P, which sets how "
                 "strongly the limiter reacts, is 0. Therefore, the limit may have no effect "
                 "(inferred).",
-                ("motor2_current_limit", "motor2_current_limit_p"),
                 {"motor2_current_limit_p": 4},
                 "Set Motor 2 Current Limit Proportionality Constant P to 4",
             ),
@@ -117,12 +105,12 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             trex(motor1_current_limit=10, motor1_acceleration=0),
             Context(),
-            Expected(
+            LintFinding(
                 "limit_without_ramp",
+                ("motor1_current_limit", "motor1_acceleration"),
                 "Motor 1 Current Limit is 3 A and Motor 1 Acceleration is 0, so the speed changes "
                 "at once. As soon as the current falls below the limit, the motor jumps back to "
                 "its full target speed, so it may run in jerks (inferred).",
-                ("motor1_current_limit", "motor1_acceleration"),
                 {"motor1_acceleration": 10},
                 "Set Motor 1 Acceleration to 1.3 s to full speed",
             ),
@@ -130,12 +118,12 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             Settings(TREX_JR, None, {"motor2_pwm_prescaler": 0, "motor2_pwm_maximum": 63}),
             Context(),
-            Expected(
+            LintFinding(
                 "pwm_above_rating",
+                ("motor2_pwm_prescaler", "motor2_pwm_maximum"),
                 "The PWM of motor 2 runs at 19.5 kHz (inferred), but the motor driver of a TReX "
                 "Jr is rated for 10 kHz. Above this frequency, the driver gets hot. Prescaler "
                 "clock / 64 gives 2.44 kHz.",
-                ("motor2_pwm_prescaler", "motor2_pwm_maximum"),
                 {"motor2_pwm_prescaler": 1},
                 "Set Motor 2 PWM Prescaler to clock / 64",
             ),
@@ -143,11 +131,11 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             trex(required_channels=0b00111, ignored_channels=0b10110),
             Context(),
-            Expected(
+            LintFinding(
                 "required_but_ignored",
+                ("required_channels", "ignored_channels"),
                 "Both required and ignored: channel 2 and channel 3. The signal controls nothing, "
                 "but without the signal the motors may not run in RC mode (inferred).",
-                ("required_channels", "ignored_channels"),
                 {"required_channels": 1},
                 "Set Required Channels to channel 1",
             ),
@@ -155,31 +143,35 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             calibrated("rc_channel_2", 2500, 3750, 5000, 1250),
             Context(),
-            Expected(
+            LintFinding(
                 "deadband_over_travel",
+                ("rc_channel_2",),
                 "The deadband of RC channel 2 reaches from neutral to its minimum and maximum: "
                 "there is nothing between standstill and full speed on that side.",
-                ("rc_channel_2",),
+                {},
+                "",
             ),
         ),
         (
             calibrated("analog_channel_3", 0, 512, 1100, 20),
             Context(),
-            Expected(
+            LintFinding(
                 "end_out_of_reach",
+                ("analog_channel_3",),
                 "The maximum of analog channel 3, 1100, is beyond 1023, the last count that the "
                 "board measures: full speed on that side is never reached.",
-                ("analog_channel_3",),
+                {},
+                "",
             ),
         ),
         (
             trex(crc7_polynomial=0x1B, uart_settings=uart(19200, Detection.EVEN)),
             Context(),
-            Expected(
+            LintFinding(
                 "polynomial_without_crc",
+                ("crc7_polynomial", "uart_settings"),
                 "CRC-7 Polynomial is 0x9B instead of the default 0x89, but CRC-7 is not "
                 "switched on: no packet is checked with it.",
-                ("crc7_polynomial", "uart_settings"),
                 {"crc7_polynomial": 9},
                 "Set CRC-7 Polynomial to 0x89",
             ),
@@ -187,11 +179,11 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             trex(crc7_polynomial=0, uart_settings=uart(19200, Detection.CRC7)),
             Context(),
-            Expected(
+            LintFinding(
                 "crc_that_checks_nothing",
+                ("crc7_polynomial", "uart_settings"),
                 "With 0x80 as CRC-7 Polynomial the checksum of every packet is 0, so CRC-7 detects "
                 "no errors at all.",
-                ("crc7_polynomial", "uart_settings"),
                 {"crc7_polynomial": 9},
                 "Set CRC-7 Polynomial to 0x89",
             ),
@@ -199,11 +191,11 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             trex("1.1", uart_settings=uart(38400, Detection.ODD, 2)),
             Context(),
-            Expected(
+            LintFinding(
                 "half_rate",
+                ("uart_settings",),
                 "A TReX with firmware 1.1 set to 38400 baud really runs at 19200 baud; firmware "
                 "1.2 corrects this. Programs must use 19200 baud.",
-                ("uart_settings",),
                 {"uart_settings": uart(19200, Detection.ODD, 2)},
                 "Set UART Settings to 19200 baud, odd parity, 2 stop bits",
             ),
@@ -211,11 +203,11 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             trex(uart_settings=uart(76800)),
             Context(port_rates=[9600, 57600, 115200]),
-            Expected(
+            LintFinding(
                 "rate_the_port_lacks",
+                ("uart_settings",),
                 "This computer's serial port does not support 76800 baud: after the next power "
                 "cycle, the computer could no longer reach the board.",
-                ("uart_settings",),
                 {"uart_settings": uart(57600)},
                 "Set UART Settings to 57600 baud, no error detection, 1 stop bit",
             ),
@@ -223,12 +215,14 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         (
             trex(uart_settings=uart(115200)),
             Context(active_line=LineSettings()),
-            Expected(
+            LintFinding(
                 "line_will_change",
+                ("uart_settings",),
                 "After the next power cycle, the line settings of the board will be 115200 baud, "
                 "no error detection, 1 stop bit instead of 19200 baud, no error detection, 1 stop "
                 "bit. Programs that use the board must then use the new line settings.",
-                ("uart_settings",),
+                {},
+                "",
             ),
         ),
     ]
@@ -243,9 +237,7 @@ def test_every_rule_has_example() -> None:
 def test_rule_reports_expected_finding(rule: str) -> None:
     settings, context, expected = EXAMPLES[rule]
     finding = only_finding(settings, context)
-    assert expected == Expected(
-        finding.rule, finding.message, finding.keys, finding.change, finding.proposal
-    )
+    assert finding == expected
     if expected.change:
         assert lint(accept(settings, finding), context) == ()
 
