@@ -7,35 +7,28 @@ from typing import Any
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.device_setup import DeviceSetup
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.bench.run import End, Plan, Profile, Run, Shape, figures
 from trex_gui.devices.trex.model.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
 STEP = 0.02  # seconds between two setpoints of a profile
 MAX_DELAY = STEP + 0.01  # the board updates its outputs every 0.01 s (CMD10 0xC4)
 
 
-class BenchSetup:
+class BenchSetup(DeviceSetup):
     """Bench of a device that is connected to a simulated board."""
 
     def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
-        self.device = Device()
+        super().__init__(qtbot, simulator)
         self.bench = Bench(self.device)
-        self.simulator = simulator
         self.finished: list[Run] = []
         self.bench.finished.connect(self.finished.append)
-        self._qtbot = qtbot
 
-    def until(self, condition: Callable[[], bool]) -> None:
-        self._qtbot.waitUntil(condition)
-
-    def connect(self) -> None:
-        self.device.connect_to(ConnectionSettings(self.simulator.url))
-        self.until(lambda: self.device.link is ConnectionState.CONNECTED)
+    def connect(self, url: str = "") -> None:
+        super().connect(url)
         self.until(lambda: self.device.telemetry.motor_currents is not None)
 
     def plan(self, shape: Shape = Shape.STEP, **values: Any) -> None:
@@ -50,8 +43,7 @@ class BenchSetup:
     def store(self, key: str, wire: int) -> None:
         """Write a parameter, and wait for the end."""
         self.device.parameters.edit(key, wire)
-        self.device.writer.apply()
-        self.until(lambda: not self.device.writer.running and self.device.draft.pending == 0)
+        self.write()
 
     def run(self) -> Run:
         """Run a bench test to its end."""
@@ -78,7 +70,7 @@ def connected(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[BenchS
     setup = BenchSetup(qtbot, quick_simulator)
     setup.connect()
     yield setup
-    qtbot.waitUntil(setup.device.shut_down)  # no thread may outlive the test
+    setup.shut_down()
 
 
 @pytest.fixture
@@ -108,7 +100,7 @@ def test_abort_current_follows_the_model(
     second.set_plan(replace(second.plan, abort_current=2.0))
     setup.device.state_changed.emit()
     assert second.plan.abort_current == 2.0, "a typed value is retained"
-    qtbot.waitUntil(setup.device.shut_down)
+    setup.shut_down()
 
 
 def test_running_motors_block_the_test(armed: BenchSetup) -> None:
@@ -310,7 +302,7 @@ def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSi
     setup.simulator.do("channel 5 2000us")
     run = aborted(setup)
     assert "no longer reach the motors" in run.reason
-    setup.until(setup.device.shut_down)
+    setup.shut_down()
 
 
 def test_plan_changed_during_a_run_applies_to_the_next_test(driving: BenchSetup) -> None:

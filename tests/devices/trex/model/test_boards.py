@@ -8,16 +8,15 @@ from urllib.parse import quote
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.device_setup import DeviceSetup
 from tests.support.pads import PAD, HeldPads
 from tests.support.pages.motors import is_stopped
-from tests.support.simulator import StartSimulator
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
-from tests.support.virtual_time import VirtualQtBot
 from trex_gui.devices.trex.bench.run import Plan, Profile
 from trex_gui.devices.trex.model.apply_to_boards import ApplyToBoards, BoardStep
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.boards import BoardList, Presence
-from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import Gamepad
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.model.setup.robot_setup import RobotSetup
@@ -30,50 +29,42 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.preferences import Preferences
 
 
-class LineHarness:
+class LineHarness(DeviceSetup):
     """Device on a line with several boards, and its messages."""
 
-    def __init__(self, device: Device, simulator: VirtualSimulator, qtbot: QtBot) -> None:
-        self.device = device
-        self.boards = BoardList(device)
-        self.simulator = simulator
-        self.qtbot = qtbot
+    def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
+        super().__init__(qtbot, simulator)
+        self.boards = BoardList(self.device)
         self.errors: list[str] = []
         self.infos: list[str] = []
-        device.notifier.error.connect(self.errors.append)
-        device.notifier.info.connect(self.infos.append)
+        self.device.notifier.error.connect(self.errors.append)
+        self.device.notifier.info.connect(self.infos.append)
 
     @property
     def line(self) -> SimulatedBoards:
+        assert isinstance(self.simulator, VirtualSimulator)
         line = self.simulator.line
         assert isinstance(line, SimulatedBoards)
         return line
 
-    def connect(self, number: int | None = 7) -> None:
+    def connect_number(self, number: int | None) -> None:
         self.device.connect_to(ConnectionSettings(self.simulator.url, device_number=number))
-        self.wait(lambda: self.device.is_connected and self.device.motors.is_available)
+        self.until(lambda: self.device.is_connected and self.device.motors.is_available)
 
     def connect_known(self, number: int, *known: int) -> None:
         """Connect to a board. An earlier scan has found it and the `known` boards."""
         key = f"boards/{quote(self.simulator.url, safe='')}"
         Preferences().set(key, ",".join(map(str, (number, *known))))
-        self.connect(number)
-
-    def wait(self, condition: Callable[[], object]) -> None:
-        self.qtbot.waitUntil(lambda: bool(condition()), timeout=60_000)
-
-    def pass_time(self, seconds: float) -> None:
-        assert isinstance(self.qtbot, VirtualQtBot)
-        self.qtbot.runtime.advance(seconds)
+        self.connect_number(number)
 
     def scan(self) -> None:
         self.boards.scan()
-        self.wait(lambda: self.boards.scanned is None and not self.boards.is_selecting)
+        self.until(lambda: self.boards.scanned is None and not self.boards.is_selecting)
 
     def select(self, number: int) -> None:
         done: list[object] = []
         self.boards.select(number, done.append)
-        self.wait(lambda: done)
+        self.until(lambda: done)
 
     def stored(self, key: str) -> list[int]:
         """Return the stored value of a parameter of each board."""
@@ -95,20 +86,18 @@ def new_line(
     start_simulator: StartSimulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Callable[..., LineHarness]]:
     """Return a function that creates a line of boards with these numbers, below 16."""
-    devices: list[Device] = []
+    lines: list[LineHarness] = []
 
     def new_line(*boards: str) -> LineHarness:
         monkeypatch.setattr("trex_gui.devices.trex.model.boards.NUMBERS", 16)
         options = [word for board in boards for word in ("--device", board)]
-        simulator = start_simulator("--unpaced", *options)
-        assert isinstance(simulator, VirtualSimulator)
-        devices.append(Device())
-        return LineHarness(devices[-1], simulator, qtbot)
+        lines.append(LineHarness(qtbot, start_simulator("--unpaced", *options)))
+        return lines[-1]
 
     yield new_line
-    for device in devices:
-        qtbot.waitUntil(device.shut_down)
-        device.edit_backup.files.shut_down()
+    for line in lines:
+        line.shut_down()
+        line.device.edit_backup.files.shut_down()
 
 
 NewLine = Callable[..., LineHarness]
@@ -119,7 +108,7 @@ NewLine = Callable[..., LineHarness]
 
 def test_scan_finds_each_board_by_number(new_line: NewLine) -> None:
     harness = new_line("3", "7", "12:trexjr")
-    harness.connect(7)
+    harness.connect_number(7)
     assert not harness.boards.has_several
     harness.scan()
     assert harness.presences == {
@@ -140,36 +129,35 @@ def test_presence_follows_a_board_that_is_switched_off_and_on(new_line: NewLine)
     harness = new_line("3", "7")
     harness.connect_known(7, 3)
     harness.simulator.do("@3 power off")
-    harness.wait(lambda: harness.presences[3] is Presence.SILENT)
+    harness.until(lambda: harness.presences[3] is Presence.SILENT)
     harness.simulator.do("@3 power on")
-    harness.wait(lambda: harness.presences[3] is Presence.RESPONDING)
-    harness.device.disconnect_line()
-    harness.wait(lambda: harness.device.link is ConnectionState.DISCONNECTED)
+    harness.until(lambda: harness.presences[3] is Presence.RESPONDING)
+    harness.disconnect()
     assert set(harness.presences.values()) == {Presence.UNKNOWN}
 
 
 def test_boards_of_a_scan_are_listed_at_the_next_start(new_line: NewLine) -> None:
     harness = new_line("3", "7")
-    harness.connect(7)
+    harness.connect_number(7)
     harness.scan()
     harness.boards = BoardList(harness.device)
-    harness.connect(3)
+    harness.connect_number(3)
     assert harness.presences == {3: Presence.SELECTED, 7: Presence.UNKNOWN}
-    harness.wait(lambda: harness.presences[7] is Presence.RESPONDING)
+    harness.until(lambda: harness.presences[7] is Presence.RESPONDING)
 
 
 def test_connection_without_a_number_expects_a_single_board(new_line: NewLine) -> None:
     harness = new_line("3", "7")
     harness.connect_known(7, 3)
     harness.simulator.do("@3 power off")
-    harness.connect(None)
+    harness.connect_number(None)
     assert not harness.presences
     assert harness.device.motors.can_arm
 
 
 def test_scan_of_a_single_board_explains_missing_boards(new_line: NewLine) -> None:
     harness = new_line("7")
-    harness.connect(None)
+    harness.connect_number(None)
     harness.scan()
     assert not harness.boards.has_several
     assert "No other board replies" in harness.infos[-1]
@@ -180,15 +168,15 @@ def test_scan_of_a_single_board_explains_missing_boards(new_line: NewLine) -> No
 def test_commands_have_a_number_after_a_scan_finds_two_boards(new_line: NewLine) -> None:
     harness = new_line("7", "9")
     harness.simulator.do("@9 power off")
-    harness.connect(None)
+    harness.connect_number(None)
     harness.simulator.do("@9 power on")
     harness.scan()
     assert harness.device.settings is not None
     assert harness.device.settings.device_number == 7
-    harness.wait(lambda: harness.device.motors.is_available)
+    harness.until(lambda: harness.device.motors.is_available)
     harness.device.motors.arm()
     harness.device.motors.set_speed(1, 20)
-    harness.wait(lambda: harness.show(7)["motors"][0]["target_speed"])
+    harness.until(lambda: harness.show(7)["motors"][0]["target_speed"])
     assert not harness.show(9)["motors"][0]["target_speed"]
 
 
@@ -197,14 +185,14 @@ def test_nothing_is_sent_to_several_boards_at_once(new_line: NewLine) -> None:
     device = harness.device
     harness.simulator.do("@3 power off")
     harness.simulator.do("@9 power off")
-    harness.connect(None)
+    harness.connect_number(None)
     harness.simulator.do("@3 power on")
     harness.simulator.do("@9 power on")
     harness.boards.scan()
-    harness.wait(lambda: harness.boards.has_several)
+    harness.until(lambda: harness.boards.has_several)
     assert not device.motors.can_arm
     harness.boards.cancel_scan()
-    harness.wait(lambda: harness.boards.can_scan)
+    harness.until(lambda: harness.boards.can_scan)
     assert not device.motors.can_arm
     assert not device.writer.can_apply
     device.writer.set_serial_timeout(2)
@@ -212,37 +200,37 @@ def test_nothing_is_sent_to_several_boards_at_once(new_line: NewLine) -> None:
     device.writer.apply()
     device.writer.reset_to_factory()
     assert not device.writer.running
-    harness.wait(lambda: len(harness.errors) == 3)
+    harness.until(lambda: len(harness.errors) == 3)
     assert all("the write would reach every board" in error for error in harness.errors)
     # A review selects a board by its number.
     ApplyHarness(harness).review_and_wait(settings_of(serial_timeout=5), 7)
     assert device.settings is not None
     assert device.settings.device_number == 7
-    harness.wait(lambda: device.motors.can_arm)
+    harness.until(lambda: device.motors.can_arm)
     assert device.writer.can_apply
 
 
 def test_scan_probes_every_number(new_line: NewLine) -> None:
     harness = new_line("0", "7", "9")
-    harness.connect(7)
+    harness.connect_number(7)
     harness.boards.scan()
-    harness.wait(lambda: harness.boards.scanned == 1)
+    harness.until(lambda: harness.boards.scanned == 1)
     harness.boards.cancel_scan()
     harness.boards.boards = ()
     harness.scan()
     assert set(harness.presences) == {0, 7, 9}
     # The scan is complete even if it starts while the presence of a board is probed.
     harness.simulator.do("@9 power off")
-    harness.wait(lambda: harness.boards.is_probing)
+    harness.until(lambda: harness.boards.is_probing)
     harness.scan()
     assert set(harness.presences) == {0, 7}
 
 
 def test_arming_ends_a_scan_and_prevents_another(new_line: NewLine) -> None:
     harness = new_line("7", "9")
-    harness.connect(7)
+    harness.connect_number(7)
     harness.boards.scan()
-    harness.wait(lambda: (harness.boards.scanned or 0) > 10)
+    harness.until(lambda: (harness.boards.scanned or 0) > 10)
     harness.device.motors.arm()
     assert harness.boards.scanned is None
     harness.boards.scan()
@@ -256,7 +244,7 @@ def test_arming_ends_a_scan_and_prevents_another(new_line: NewLine) -> None:
 def test_selecting_another_board_ends_held_controls(new_line: NewLine) -> None:
     """Bench, setup and gamepad are held while another board is selected."""
     harness = new_line("7", "9")
-    harness.connect(7)
+    harness.connect_number(7)
     device, motors, pads = harness.device, harness.device.motors, HeldPads(PAD)
     motors.lockout = 0
     bench, gamepad = Bench(device), Gamepad(device, pads)
@@ -269,9 +257,9 @@ def test_selecting_another_board_ends_held_controls(new_line: NewLine) -> None:
 
     def hold_gamepad() -> None:
         gamepad.switch_on()  # selecting a board switches the gamepad off
-        harness.wait(lambda: gamepad.text.startswith("Hold"))
+        harness.until(lambda: gamepad.text.startswith("Hold"))
         pads.press(4)
-        harness.wait(lambda: gamepad.request.drives)
+        harness.until(lambda: gamepad.request.drives)
         pads.move(1, -1.0)
 
     holds: tuple[tuple[str, Callable[[], object]], ...] = (
@@ -280,17 +268,17 @@ def test_selecting_another_board_ends_held_controls(new_line: NewLine) -> None:
         ("gamepad", hold_gamepad),
     )
     for (holder, hold), (first, second) in zip(holds, [(7, 9), (9, 7), (7, 9)], strict=True):
-        harness.wait(lambda: device.telemetry.motor_currents is not None and motors.can_arm)
+        harness.until(lambda: device.telemetry.motor_currents is not None and motors.can_arm)
         pulses.confirm_wheels(True)
         setup.record_movement(1, Movement.LEFT_FORWARD)
         motors.arm()
         hold()
-        harness.wait(partial(runs, first))
+        harness.until(partial(runs, first))
         assert motors.holder == holder
         harness.select(second)
         assert harness.is_stopped(first), holder
         assert not device.driving.lost_board
-        harness.wait(lambda: motors.can_arm)
+        harness.until(lambda: motors.can_arm)
         motors.arm()
         harness.pass_time(2)
         assert not runs(second), holder
@@ -310,9 +298,9 @@ def test_selecting_another_board_ends_measurements_of_sticks(new_line: NewLine) 
     learning = Learning(device)
     for _ in range(3):
         device.mix_jumper.feed((60, 0), (60, -60))
-    harness.wait(lambda: device.mix_jumper.is_on)
+    harness.until(lambda: device.mix_jumper.is_on)
     learning.start()
-    harness.wait(lambda: learning.step is LearningStep.NEUTRAL)
+    harness.until(lambda: learning.step is LearningStep.NEUTRAL)
     harness.select(7)
     assert device.mix_jumper.is_on is None
     assert learning.step is LearningStep.FAILED
@@ -334,7 +322,7 @@ def test_edits_return_with_their_board(new_line: NewLine) -> None:
     assert dict(device.parameters.values.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
     # Written values that need a power cycle stay known as waiting.
     device.writer.apply()
-    harness.wait(lambda: device.draft.pending == 0 and not device.writer.running)
+    harness.until(lambda: device.draft.pending == 0 and not device.writer.running)
     waiting = device.parameters.values.waiting_for_power
     assert waiting
     harness.select(9)
@@ -351,14 +339,14 @@ def test_edits_return_with_their_board(new_line: NewLine) -> None:
 
 def test_board_gets_only_a_free_number(new_line: NewLine) -> None:
     harness = new_line("7", "9")
-    harness.connect(7)
+    harness.connect_number(7)
     harness.scan()
     harness.device.writer.set_device_number(9)
-    harness.wait(lambda: any("has the device number 9" in error for error in harness.errors))
+    harness.until(lambda: any("has the device number 9" in error for error in harness.errors))
     assert not harness.device.writer.running
     assert harness.show(7)["parameters"]["device_number"] == 7
     harness.device.writer.set_device_number(12)
-    harness.wait(lambda: harness.boards.selected == 12 and not harness.device.writer.running)
+    harness.until(lambda: harness.boards.selected == 12 and not harness.device.writer.running)
     assert harness.stored("device_number") == [12, 9]
     assert harness.presences == {9: Presence.RESPONDING, 12: Presence.SELECTED}
     harness.select(9)
@@ -382,11 +370,11 @@ class ApplyHarness(ApplyToBoards):
 
     def review_and_wait(self, settings: Settings, *numbers: int) -> None:
         self.review(settings, numbers)
-        self._harness.wait(lambda: not self.is_running)
+        self._harness.until(lambda: not self.is_running)
 
     def write_and_wait(self, *numbers: int) -> None:
         self.write(numbers)
-        self._harness.wait(lambda: not self.is_running)
+        self._harness.until(lambda: not self.is_running)
 
     @property
     def steps(self) -> dict[int, BoardStep]:
@@ -446,7 +434,7 @@ def test_review_continues_after_the_selected_board_if_it_is_silent(new_line: New
     harness = new_line("3", "7")
     harness.connect_known(3, 7)
     harness.simulator.do("@3 power off")
-    harness.wait(lambda: harness.device.link is ConnectionState.NOT_RESPONDING)
+    harness.until_link(ConnectionState.NOT_RESPONDING)
     apply = ApplyHarness(harness)
     apply.review_and_wait(settings_of(serial_timeout=5), 3, 7)
     assert apply.steps == {3: BoardStep.FAILED, 7: BoardStep.REVIEWED}
@@ -479,8 +467,8 @@ def test_closed_line_ends_the_review(new_line: NewLine) -> None:
     harness.connect_known(7, 3, 9)
     apply = ApplyHarness(harness)
     apply.review(settings_of(serial_timeout=5), (3, 7, 9))
-    harness.wait(lambda: apply.steps[3] is BoardStep.READING)
-    harness.connect(7)  # the line is closed and opened again
+    harness.until(lambda: apply.steps[3] is BoardStep.READING)
+    harness.connect_number(7)  # the line is closed and opened again
     assert not apply.is_running
     assert apply.steps == {3: BoardStep.FAILED, 7: BoardStep.SKIPPED, 9: BoardStep.SKIPPED}
 
@@ -511,9 +499,9 @@ def test_stop_ends_the_apply_after_the_current_board(new_line: NewLine) -> None:
     def write_and_stop(condition: Callable[[], object]) -> None:
         apply.review_and_wait(settings, 3, 7, 9)
         apply.write((3, 7, 9))
-        harness.wait(condition)
+        harness.until(condition)
         harness.device.motors.press_stop()
-        harness.wait(lambda: not apply.is_running and not harness.device.writer.running)
+        harness.until(lambda: not apply.is_running and not harness.device.writer.running)
 
     write_and_stop(lambda: harness.boards.is_selecting and apply.steps[3] is BoardStep.READING)
     assert set(apply.steps.values()) == {BoardStep.SKIPPED}

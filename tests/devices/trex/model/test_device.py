@@ -1,14 +1,14 @@
 """Device with a simulated board."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.device_setup import DeviceSetup
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.board import WriteResult
-from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -17,12 +17,11 @@ from trex_gui.ui.runtime import now, runtime
 LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
-class DeviceRecorder:
+class DeviceRecorder(DeviceSetup):
     """Device with a simulated board. Records link states, failures and results."""
 
     def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
-        self.simulator = simulator
-        self.device = Device()
+        super().__init__(qtbot, simulator)
         self.links: list[ConnectionState] = []
         self.failures: list[str] = []
         self.results: list[tuple[WriteResult, ...]] = []
@@ -31,7 +30,6 @@ class DeviceRecorder:
         self.device.notifier.error.connect(self.failures.append)
         self.device.applied.connect(self.results.append)
         self.device.connection.progressed.connect(self._on_progressed)
-        self.qtbot = qtbot
 
     def _on_link_changed(self) -> None:
         self.links.append(self.device.link)
@@ -39,30 +37,12 @@ class DeviceRecorder:
     def _on_progressed(self, done: int, total: int, text: str) -> None:
         self.steps.append((done, total, text))
 
-    def until(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition)
-
-    def until_link(self, link: ConnectionState) -> None:
-        self.until(lambda: self.device.link is link)
-
-    def connect(self, url: str, *, reconnect: bool = False) -> None:
-        self.device.connect_to(ConnectionSettings(url))
-        if reconnect:
-            self.until(lambda: self.device.link is not ConnectionState.CONNECTED)
-        failed = len(self.failures)
-        self.until(
-            lambda: self.device.link is ConnectionState.CONNECTED or len(self.failures) > failed
-        )
-        assert self.device.link is ConnectionState.CONNECTED, self.failures[failed:]
-
     def edit(self, key: str, wire: int) -> None:
         assert self.device.parameters.setData(self.device.parameters.index_of(key), wire)
 
     def apply(self) -> tuple[WriteResult, ...]:
         """Apply every edit, and return the results."""
-        count = len(self.results)
-        self.device.writer.apply()
-        self.until(lambda: len(self.results) > count)
+        self.write()
         return self.results[-1]
 
 
@@ -70,12 +50,12 @@ class DeviceRecorder:
 def recorder(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[DeviceRecorder]:
     recorder = DeviceRecorder(qtbot, quick_simulator)
     yield recorder
-    qtbot.waitUntil(recorder.device.shut_down)  # no thread may outlive the test
+    recorder.shut_down()
 
 
 @pytest.fixture
 def connected(recorder: DeviceRecorder) -> DeviceRecorder:
-    recorder.connect(recorder.simulator.url)
+    recorder.connect()
     return recorder
 
 
@@ -119,8 +99,7 @@ def test_apply_without_a_snapshot_writes_nothing(connected: DeviceRecorder, tmp_
     file.write_text("", encoding="utf-8")
     connected.device.writer.history.folder = file
     connected.edit("serial_timeout", 15)
-    connected.device.writer.apply()
-    connected.until(lambda: not connected.device.writer.running)
+    connected.write()
     assert "Nothing was written" in connected.failures[-1]
     assert connected.device.draft.pending == 1
     assert connected.simulator.show()["parameters"]["serial_timeout"] == 0
@@ -138,11 +117,10 @@ def test_apply_without_edits_writes_nothing(connected: DeviceRecorder) -> None:
 
 def test_apply_without_a_board_does_not_block_the_next_apply(connected: DeviceRecorder) -> None:
     connected.edit("serial_timeout", 9)
-    connected.device.disconnect_line()
-    connected.until_link(ConnectionState.DISCONNECTED)
+    connected.disconnect()
     connected.device.writer.apply()
     assert not connected.device.writer.running
-    connected.connect(connected.simulator.url)
+    connected.connect()
     assert connected.apply()[0].error is None
 
 
@@ -200,7 +178,7 @@ def test_doubt_about_the_board_record_is_reported(recorder: DeviceRecorder) -> N
     device.records.doubted.connect(texts.append)
     for adapter in ("0403:6001-A500001", "0403:6001-B700002"):
         device.motors.adapter = adapter
-        recorder.connect(recorder.simulator.url, reconnect=device.is_connected)
+        recorder.connect()
         recorder.until(lambda: device.records.files.is_idle)
     assert "settings saved for this TReX date from 20" in "".join(texts)
 
@@ -261,7 +239,7 @@ def test_closing_connection_never_becomes_connected(
         ConnectionState.DISCONNECTING,
         ConnectionState.DISCONNECTED,
     ]
-    qtbot.waitUntil(recorder.device.shut_down)
+    recorder.shut_down()
 
 
 def test_unplugged_cable_is_reported_within_half_a_second(connected: DeviceRecorder) -> None:
@@ -280,7 +258,7 @@ def test_line_is_closed_before_another_is_opened(
 ) -> None:
     connected.edit("serial_timeout", 15)
     second = start_simulator("--model", "trexjr")
-    connected.connect(second.url, reconnect=True)
+    connected.connect(second.url)
     assert connected.links == [
         ConnectionState.CONNECTING,
         ConnectionState.CONNECTED,
@@ -293,8 +271,8 @@ def test_line_is_closed_before_another_is_opened(
     assert connected.device.parameters.values.pending == ()
     assert connected.failures == []
     recorder = DeviceRecorder(connected.qtbot, connected.simulator)
-    recorder.connect(connected.simulator.url)  # the first line is closed
-    recorder.until(recorder.device.shut_down)
+    recorder.connect()  # the first line is closed
+    recorder.shut_down()
 
 
 def test_last_of_several_selected_ports_is_connected(
@@ -302,7 +280,7 @@ def test_last_of_several_selected_ports_is_connected(
 ) -> None:
     second = start_simulator("--model", "trexjr")
     connected.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
-    connected.connect(second.url, reconnect=True)
+    connected.connect(second.url)
     assert connected.device.settings == ConnectionSettings(second.url)
     assert connected.failures == []
 

@@ -4,13 +4,14 @@ import csv
 import math
 import re
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.device_setup import DeviceSetup
 from tests.devices.trex.recording.samples import open_recording, read_file
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.events import EventKind
@@ -36,13 +37,11 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
 
-class RecorderSetup:
+class RecorderSetup(DeviceSetup):
     """Device with a simulated board, and its recorder. Collects the recorded samples."""
 
-    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
-        self.simulator = simulator
-        self.qtbot = qtbot
-        self.device = Device()
+    def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
+        super().__init__(qtbot, simulator)
         self.recorder = Recorder(self.device)
         self.samples: list[object] = []
         self.device.sampled.connect(self._on_sampled)
@@ -52,21 +51,10 @@ class RecorderSetup:
         if self.recorder.recording:
             self.samples += batch.samples
 
-    def connect(self) -> None:
-        self.device.connect_to(ConnectionSettings(self.simulator.url))
-        self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
-
-    def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition)
-
-    def pass_time(self, seconds: float) -> None:
-        end = now() + seconds
-        self.wait(lambda: now() > end)
-
     def start_recording(self, path: Path, samples: int = 50) -> None:
         """Start a recording, and wait for more than this number of samples."""
         assert self.recorder.start(path)
-        self.wait(lambda: len(self.samples) > samples)
+        self.until(lambda: len(self.samples) > samples)
 
     def end_recording(self) -> None:
         with self.qtbot.waitSignal(self.recorder.ended):
@@ -75,10 +63,10 @@ class RecorderSetup:
 
 @pytest.fixture
 def session(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RecorderSetup]:
-    session = RecorderSetup(quick_simulator, qtbot)
+    session = RecorderSetup(qtbot, quick_simulator)
     yield session
     session.recorder.shut_down()
-    session.device.shut_down()
+    session.shut_down()
 
 
 def test_recording_has_every_sample_while_no_window_is_visible(
@@ -129,9 +117,9 @@ def test_setpoints_events_and_settings_are_recorded_in_order(
     session.recorder.start(path)
     device.motors.arm()
     device.motors.set_speed(1, 40)
-    session.wait(lambda: len(session.samples) > 50)
+    session.until(lambda: len(session.samples) > 50)
     device.motors.press_stop()
-    session.wait(lambda: not device.may_move)
+    session.until(lambda: not device.may_move)
     device.parameters.edit("serial_timeout", 9)
     with session.qtbot.waitSignal(device.applied):
         device.writer.apply()
@@ -170,12 +158,12 @@ def test_recording_continues_while_the_board_is_unresponsive(
 ) -> None:
     session.start_recording(tmp_path / "a.trexrec")
     session.simulator.do("power off")
-    session.wait(lambda: session.device.link is ConnectionState.NOT_RESPONDING)
+    session.until_link(ConnectionState.NOT_RESPONDING)
     assert session.recorder.recording
     session.simulator.do("power on")
-    session.wait(lambda: session.device.link is ConnectionState.CONNECTED)
+    session.until_link(ConnectionState.CONNECTED)
     count = len(session.samples)
-    session.wait(lambda: len(session.samples) > count + 50)
+    session.until(lambda: len(session.samples) > count + 50)
     assert session.recorder.recording
     session.end_recording()
     assert len(records_of(tmp_path / "a.trexrec")) >= count + 50
@@ -187,9 +175,9 @@ def test_full_disk_ends_the_recording_but_not_the_connection(
     with session.qtbot.waitSignal(session.recorder.failed) as failed:
         session.recorder.start(tmp_path / "a.trexrec")
     assert "cannot be written: No space left" in failed.args[0]
-    session.wait(lambda: session.recorder.can_record)
+    session.until(lambda: session.recorder.can_record)
     samples = session.device.telemetry.samples
-    session.wait(lambda: session.device.telemetry.samples > samples)
+    session.until(lambda: session.device.telemetry.samples > samples)
 
 
 def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: Path) -> None:
@@ -223,7 +211,7 @@ class AutomaticRecordings:
 
     def newest(self, count: int) -> tuple[Path, list[Record]]:
         """Wait for this number of recordings, and return the newest."""
-        self._session.wait(lambda: len(self.files) == count)
+        self._session.until(lambda: len(self.files) == count)
         return self.files[-1], records_of(self.files[-1])
 
 
@@ -247,7 +235,7 @@ def test_seconds_around_a_stop_are_recorded(
 ) -> None:
     motors = session.device.motors
     motors.press_stop()  # the motors are at rest, so nothing is recorded
-    session.wait(lambda: not motors.locked_for)
+    session.until(lambda: not motors.locked_for)
     automatic.drive()
     session.pass_time(3)
     stopped = now()
@@ -296,7 +284,7 @@ def test_stop_is_not_recorded_during_a_recording_or_if_off(
     session.end_recording()
 
     automatic.recorder.set_on(False)
-    session.wait(lambda: not session.device.motors.locked_for)
+    session.until(lambda: not session.device.motors.locked_for)
     automatic.drive()
     session.device.motors.press_stop()
     session.pass_time(1)
@@ -309,7 +297,7 @@ def test_fault_is_recorded_if_the_line_closes_at_once(
 ) -> None:
     session.pass_time(2)
     session.simulator.do("fault 2 on")
-    session.wait(lambda: bool(session.device.board.errors.recent(2, now())))
+    session.until(lambda: session.device.board.errors.recent(2, now()))
     session.device.disconnect_line()
     path, records = automatic.newest(1)
     assert path.stem.endswith("_fault")
@@ -319,12 +307,11 @@ def test_fault_is_recorded_if_the_line_closes_at_once(
 def test_errors_from_before_the_connection_start_no_recording(
     session: RecorderSetup, automatic: AutomaticRecordings
 ) -> None:
-    session.device.disconnect_line()
-    session.wait(lambda: session.device.link is ConnectionState.DISCONNECTED)
+    session.disconnect()
     session.simulator.do("fault 2 on")
     session.simulator.do("fault 2 off")
     session.connect()
-    session.wait(lambda: any(entry.is_earlier for entry in session.device.board.errors.entries))
+    session.until(lambda: any(entry.is_earlier for entry in session.device.board.errors.entries))
     assert not session.device.board.errors.recent(2, now())
     session.pass_time(1)
     assert not automatic.recorder.recording

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.device_setup import DeviceSetup
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
@@ -18,7 +19,7 @@ from trex_gui.ui.devices.ports import Port, PortKind
 Start = Callable[..., VirtualSimulator]
 
 
-class DrivenBoard:
+class DrivenBoard(DeviceSetup):
     """Device that drives motor 1 of a board, and its messages."""
 
     def __init__(
@@ -28,30 +29,29 @@ class DrivenBoard:
         unpowered: VirtualSimulator,
         qtbot: QtBot,
     ) -> None:
+        super().__init__(qtbot, board, controller.device)
         self.controller = controller
-        self.device = device = controller.device
         self.unpowered = unpowered
         unpowered.do("power off")
         self.board = board
-        self.qtbot = qtbot
         self.errors: list[str] = []
-        device.notifier.error.connect(self.errors.append)
-        device.notifier.danger.connect(self.errors.append)
-        self.connect(board.url)
+        self.device.notifier.error.connect(self.errors.append)
+        self.device.notifier.danger.connect(self.errors.append)
+        self.connect()
         self.drive(board)
 
-    def connect(self, url: str) -> None:
-        self.device.connect_to(ConnectionSettings(url))
-        self.wait(self.is_ready)
-        self.wait(lambda: not self.device.may_move)
+    def connect(self, url: str = "") -> None:
+        super().connect(url)
+        self.until_ready()
 
-    def is_ready(self) -> bool:
-        return self.device.link is ConnectionState.CONNECTED and self.device.motors.is_available
+    def until_ready(self) -> None:
+        self.until_link(ConnectionState.CONNECTED)
+        self.until(lambda: self.device.motors.is_available and not self.device.may_move)
 
     def drive(self, board: VirtualSimulator) -> None:
         self.device.motors.arm()
         self.device.motors.set_speed(1, 90)
-        self.wait(lambda: self.runs(board))
+        self.until(lambda: self.runs(board))
 
     def runs(self, board: VirtualSimulator) -> bool:
         return bool(board.show()["motors"][0]["direction"] == "forward")
@@ -59,37 +59,26 @@ class DrivenBoard:
     def unplug(self, board: VirtualSimulator) -> None:
         """Remove the board from the open port. It stays powered."""
         board.move_cable_to(self.unpowered)
-        self.wait_for(ConnectionState.NOT_RESPONDING)
+        self.until_link(ConnectionState.NOT_RESPONDING)
 
     def plug(self, board: VirtualSimulator) -> None:
         self.unpowered.move_cable_to(board)
-        self.wait(self.is_ready)
-        self.wait(lambda: not self.device.may_move)
+        self.until_ready()
 
     def replace_board(self, new: VirtualSimulator) -> None:
         """Plug another board into the open port."""
         self.unplug(self.board)
         self.plug(new)
 
-    def wait_for(self, link: ConnectionState) -> None:
-        self.wait(lambda: self.device.link is link)
-
-    def disconnect(self) -> None:
-        self.device.disconnect_line()
-        self.wait_for(ConnectionState.DISCONNECTED)
-
     def lose(self, board: VirtualSimulator) -> None:
         """Unplug the cable of the connected board from the computer."""
         board.do("line unplug")
-        self.wait_for(ConnectionState.DISCONNECTED)
+        self.until_link(ConnectionState.DISCONNECTED)
 
     def closing_text(self) -> str:
         """Disconnect, and return the warning of a closing window."""
         self.disconnect()
         return self.controller.unconfirmed_stop
-
-    def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition)
 
 
 @pytest.fixture
@@ -142,20 +131,19 @@ def test_equal_board_at_another_adapter_may_not_be_the_driven_board(
     driven: DrivenBoard, start: Start
 ) -> None:
     driven.board.do("line mute on")
-    driven.wait_for(ConnectionState.NOT_RESPONDING)
+    driven.until_link(ConnectionState.NOT_RESPONDING)
     url = start().url
     driven.controller.connect_to(Port(PortKind.SERIAL, url, url, "trex", Adapter("0403:6001", "A")))
-    driven.wait(driven.is_ready)
-    driven.wait(lambda: not driven.device.may_move)
+    driven.until_ready()
     assert driven.errors[-1].startswith(f"The connection to {driven.board.url} was lost before a")
 
 
 def test_moved_jumper_does_not_mean_another_board(driven: DrivenBoard) -> None:
     driven.board.do("power off")
-    driven.wait_for(ConnectionState.NOT_RESPONDING)
+    driven.until_link(ConnectionState.NOT_RESPONDING)
     driven.board.do("jumper mode analog")
     driven.board.do("power on")
-    driven.wait_for(ConnectionState.CONNECTED)
+    driven.until_link(ConnectionState.CONNECTED)
     assert driven.closing_text() == ""
 
 
@@ -217,7 +205,7 @@ def test_failed_connection_adds_no_lost_board(driven: DrivenBoard, start: Start)
     driven.replace_board(start("--model", "trexjr"))
     driven.disconnect()
     driven.device.connect_to(ConnectionSettings(silent.url))
-    driven.wait_for(ConnectionState.DISCONNECTED)
+    driven.until_link(ConnectionState.DISCONNECTED)
     assert not driven.device.may_move
     driven.connect(third.url)
     driven.connect(driven.board.url)
@@ -230,15 +218,15 @@ def test_interrupted_apply_does_not_mean_another_board(driven: DrivenBoard) -> N
     device.parameters.edit("motor1_acceleration", 3)
     device.writer.apply()
     driven.board.do("power off")
-    driven.wait_for(ConnectionState.NOT_RESPONDING)
+    driven.until_link(ConnectionState.NOT_RESPONDING)
     driven.board.do("power on")
-    driven.wait_for(ConnectionState.CONNECTED)
+    driven.until_link(ConnectionState.CONNECTED)
     assert driven.closing_text() == ""
 
 
 def test_setting_written_by_another_program_stops_motors(driven: DrivenBoard) -> None:
     driven.board.do("eeprom serial_timeout 20")
-    driven.wait(lambda: not driven.device.motors.armed)
+    driven.until(lambda: not driven.device.motors.armed)
     assert driven.device.motors.stop_reason == (
         "A setting of the board changed, so the motors were stopped."
     )

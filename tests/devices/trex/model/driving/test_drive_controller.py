@@ -22,7 +22,6 @@ from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import STOP_WITHOUT_EFFECT
 from trex_gui.devices.trex.protocol.errors import ErrorCode
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.runtime import now, runtime
 
@@ -37,7 +36,7 @@ class DrivenDevice(Device):
         self.simulator = simulator
         self.wait = qtbot.waitUntil
         self.connect_to(ConnectionSettings(simulator.url))
-        self.wait(lambda: self.link is ConnectionState.CONNECTED and self.motors.is_available)
+        self.wait(lambda: self.motors.is_available)
         self.motors.arm()
         self.motors.accelerate = False
         self.motors.set_speed(1, 90)

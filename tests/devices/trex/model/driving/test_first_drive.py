@@ -18,7 +18,6 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.views.pages.motors.options import DriveWith
-from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
 
@@ -56,7 +55,7 @@ def pad(qtbot: QtBot) -> RecordedPad:
 
 def connect(device: Device, settings: ConnectionSettings, qtbot: QtBot) -> None:
     device.connect_to(settings)
-    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.is_available)
+    qtbot.waitUntil(lambda: device.is_connected and device.motors.is_available)
 
 
 def test_ceiling_is_low_at_first_and_saved_for_each_board(

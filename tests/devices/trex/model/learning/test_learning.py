@@ -1,22 +1,21 @@
 """Learning of channels with a simulated board."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.device_setup import DeviceSetup
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick, Transmitter
 from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.client.telemetry import Control
-from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channels import Choice, LearnedChannel
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
@@ -24,31 +23,22 @@ from trex_gui.ui.runtime import now
 LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
-class LearningSetup:
+class LearningSetup(DeviceSetup):
     """Device that learns its channels from a simulated transmitter."""
 
-    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
-        self.simulator = simulator
-        self.device = Device()
+    def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
+        super().__init__(qtbot, simulator)
         self.learning = Learning(self.device)
         self.transmitter = Transmitter(
             simulator, {1: Stick(), 2: Stick(rest=1520, forward_is_down=True)}
         )
         self.requested_tests: list[tuple[int, ...]] = []  # channels of each test
-        self._qtbot = qtbot
-        failures: list[str] = []
-        self.device.notifier.error.connect(failures.append)
-        self.device.connect_to(ConnectionSettings(simulator.url))
-        self.until(lambda: self.device.link is ConnectionState.CONNECTED or bool(failures))
-        assert not failures, (failures, simulator.show()["power"], simulator.show()["active_uart"])
+        self.connect()
         self.until(lambda: self.transmitter.is_at_rest(self.device.telemetry.raw_of))
         self.learning.stored.connect(self._on_stored)
 
     def _on_stored(self) -> None:
         self.requested_tests.append(self.learning.numbers)
-
-    def until(self, condition: Callable[[], bool], timeout: int = 30_000) -> None:
-        self._qtbot.waitUntil(condition, timeout=timeout)
 
     def until_step(self, step: LearningStep) -> None:
         """Wait for a step. Repeat the previous step while its stop is not confirmed."""
@@ -107,10 +97,6 @@ class LearningSetup:
         self.review(*channels, calibration=calibration)
         self.learning.use_values()
 
-    def write(self) -> None:
-        self.device.writer.apply()
-        self.until(lambda: not self.device.writer.running)
-
     def hold(self) -> None:
         """Wait for as many samples as an end needs."""
         inputs = self.device.telemetry.inputs
@@ -122,10 +108,10 @@ class LearningSetup:
 
 @pytest.fixture
 def setup(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[LearningSetup]:
-    setup = LearningSetup(quick_simulator, qtbot)
+    setup = LearningSetup(qtbot, quick_simulator)
     yield setup
     setup.learning.cancel()
-    qtbot.waitUntil(setup.device.shut_down)
+    setup.shut_down()
 
 
 def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
@@ -161,8 +147,7 @@ def test_cancelled_learning_does_not_continue_after_the_stop(setup: LearningSetu
     setup.run_motor(60)
     setup.learning.start((1,))
     setup.learning.cancel()
-    end = now() + 4
-    setup.until(lambda: now() > end)
+    setup.pass_time(4)
     assert setup.learning.step is LearningStep.ENDED
 
 
@@ -194,8 +179,7 @@ def test_learning_fails_while_the_channels_are_in_control(setup: LearningSetup) 
     setup.learning.start((1,))
     assert setup.learning.step is LearningStep.FAILED
     assert "the channels are in control" in setup.learning.problem
-    end = now() + 2
-    setup.until(lambda: now() > end)
+    setup.pass_time(2)
     assert set(steps) <= {LearningStep.STOPPING, LearningStep.FAILED}
     setup.learning.repeat()
     setup.until_step(LearningStep.NEUTRAL)
@@ -214,11 +198,10 @@ def test_stick_test_fails_in_rc_mode_despite_the_override(setup: LearningSetup) 
 def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:
     setup.simulator.do("eeprom motor_mode 1")
     setup.simulator.do("power off")
-    setup.until(lambda: setup.device.link is ConnectionState.NOT_RESPONDING)
+    setup.until_link(ConnectionState.NOT_RESPONDING)
     setup.simulator.do("power on")
-    setup.until(
-        lambda: setup.device.link is ConnectionState.CONNECTED and setup.device.board.is_joint
-    )
+    setup.until_link(ConnectionState.CONNECTED)
+    assert setup.device.board.is_joint
     setup.until(lambda: setup.device.motors.is_available)
     setup.run_motor(60)
     setup.go_to_travel()
@@ -376,10 +359,8 @@ def test_discarded_values_do_not_request_a_test(setup: LearningSetup, method: st
 
 def test_reconnecting_clears_the_pending_test(setup: LearningSetup) -> None:
     setup.use_values(1)
-    setup.device.disconnect_line()
-    setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
-    setup.device.connect_to(ConnectionSettings(setup.simulator.url))
-    setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
+    setup.disconnect()
+    setup.connect()
     assert setup.device.draft.pending
     setup.write()
     assert setup.device.draft.pending == 0
@@ -510,7 +491,7 @@ def test_restart_after_power_loss_stops_the_motors_again(
     setup.learning.repeat()
     assert setup.learning.problem == "Connect to a board first."
     setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
+    setup.until_link(ConnectionState.CONNECTED)
     assert not setup.learning.can_go_on
     assert not setup.learning.can_use_values
     setup.learning.repeat()

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.device_setup import DeviceSetup
 from tests.support.matrix import sampled
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
@@ -16,37 +17,27 @@ from trex_gui.core.files import SettingsError, data_folder
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
-from trex_gui.ui.devices.connection import ConnectionState
 
 STICK = Calibration(2400, 3700, 5100, 80)
 RC_2 = CalibrationKey.of(InputSource.RC, 2)
 TREX = BoardIdentity(device_table().model("trex"), "1.2", 7)
 
 
-class Run:
+class Run(DeviceSetup):
     """Run of the program, which ends with a crash."""
 
-    def __init__(self, qtbot: QtBot, url: str) -> None:
-        self.qtbot = qtbot
-        self.device = Device()
+    def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
+        super().__init__(qtbot, simulator)
         self.backup = self.device.edit_backup
         self.draft = self.device.draft
-        self.connect(url)
+        self.connect()
 
-    def connect(self, url: str) -> None:
-        self.device.connect_to(ConnectionSettings(url))
-        self.wait(
-            lambda: (
-                self.device.link is ConnectionState.CONNECTED
-                and self.device.settings is not None
-                and self.device.settings.url == url
-            )
-        )
+    def connect(self, url: str = "") -> None:
+        super().connect(url)
         self.settle()
 
     def edit(self, **values: int) -> None:
@@ -61,12 +52,12 @@ class Run:
     def settle(self) -> None:
         """Wait until all files are read and saved."""
         backup = self.backup
-        self.wait(lambda: backup.files.is_idle and backup._is_read)
+        self.until(lambda: backup.files.is_idle and backup._is_read)
 
     def crash(self) -> None:
         """End without discarding the backup."""
         self.draft.pending_changed.disconnect(self.backup._on_changed)
-        self.wait(self.device.shut_down)
+        self.shut_down()
 
     @property
     def offered(self) -> dict[str, object]:
@@ -78,19 +69,16 @@ class Run:
         parameters: dict[str, object] = dict(self.device.parameters.values.pending)
         return parameters | dict(self.device.calibrations.edited)
 
-    def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition)
-
 
 @pytest.fixture
 def run(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable[..., Run]]:
     """Return a function that crashes the last run and starts the program again."""
     runs: list[Run] = []
 
-    def start(url: str = quick_simulator.url) -> Run:
+    def start(simulator: SimulatedDevice = quick_simulator) -> Run:
         if runs:
             runs.pop().crash()
-        runs.append(Run(qtbot, url))
+        runs.append(Run(qtbot, simulator))
         return runs[-1]
 
     yield start
@@ -153,7 +141,7 @@ def test_applied_discarded_or_undone_edits_leave_no_file(run: Start) -> None:
         first.edit(serial_timeout=wire)
         assert len(files()) == 1
         end()
-        first.wait(lambda: not first.device.writer.running)
+        first.until(lambda: not first.device.writer.running)
         first.settle()
         assert files() == []
 
@@ -179,7 +167,7 @@ def test_edits_of_a_board_are_offered_when_it_is_connected_again(
     assert first.draft.pending == 0
     assert first.backup.offer is None
     first.edit(serial_timeout=9)
-    first.connect(quick_simulator.url)
+    first.connect()
     assert first.offered == {"serial_timeout": 15}
     first.backup.restore()
     first.settle()
@@ -208,10 +196,10 @@ def test_no_edit_is_lost_if_another_model_replies_during_apply(
 
     first.device.writer.apply()
     quick_simulator.on_write = exchange_boards
-    first.wait(lambda: not first.device.writer.running)
+    first.until(lambda: not first.device.writer.running)
     first.settle()
     stored = quick_simulator.show()["parameters"]
-    first.connect(quick_simulator.url)
+    first.connect()
     missing = {key: wire for key, wire in edits.items() if stored[key] != wire}
     assert first.offered == missing
 
@@ -223,10 +211,10 @@ def test_failed_factory_reset_discards_no_edit(
     first.edit(serial_timeout=15)
     quick_simulator.do("eeprom motor1_acceleration 9")  # as in another board
     first.device.writer.reset_to_factory()
-    first.wait(lambda: not first.device.writer.running)
+    first.until(lambda: not first.device.writer.running)
     assert dict(first.device.draft.parameters.values.pending) == {"serial_timeout": 15}
     first.device.writer.reset_to_factory()
-    first.wait(lambda: not first.device.writer.running)
+    first.until(lambda: not first.device.writer.running)
     assert not first.device.draft.pending
 
 
@@ -235,7 +223,7 @@ def test_edits_are_not_offered_to_a_board_with_another_number(
 ) -> None:
     run().edit(serial_timeout=15)
     second_board = start_simulator("--unpaced", "--device", "9")
-    assert run(second_board.url).offered == {}
+    assert run(second_board).offered == {}
     assert run().offered == {"serial_timeout": 15}
 
 
@@ -249,7 +237,7 @@ def test_edits_follow_the_new_number_of_a_board(run: Start) -> None:
     messages = list[str]()
     first.device.notifier.info.connect(messages.append)
     first.device.writer.apply({"device_number"})
-    first.wait(lambda: len(messages) == 2)
+    first.until(lambda: len(messages) == 2)
     first.settle()
     moved, replaced = sorted(files(), key=lambda file: len(file.name))
     assert moved.name == "trex-1.2-9.txt"
@@ -302,7 +290,7 @@ def test_discarded_calibration_of_the_other_source_is_deleted(
     first.edit_calibration()
     quick_simulator.do("eeprom channel_input_source 1")
     quick_simulator.do("power cycle")
-    first.connect(quick_simulator.url)
+    first.connect()
     assert first.draft.pending == 1
     first.draft.discard_edits()
     first.settle()

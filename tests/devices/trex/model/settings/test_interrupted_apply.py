@@ -49,7 +49,7 @@ class InterruptedApply:
         for key, wire in OLD.items():
             simulator.do(f"eeprom {key} {wire}")
         simulator.do("power cycle")
-        recorder.connect(simulator.url)
+        recorder.connect()
         for key, wire in EDITS.items():
             recorder.edit(key, wire)
         self.device.calibrations.edit(CHANNEL, LEARNED)
@@ -129,7 +129,7 @@ class InterruptedApply:
 def apply(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[InterruptedApply]:
     recorder = DeviceRecorder(qtbot, quick_simulator)
     yield InterruptedApply(recorder)
-    qtbot.waitUntil(recorder.device.shut_down)  # no thread may outlive the test
+    recorder.shut_down()
 
 
 @every_step
@@ -192,4 +192,4 @@ def test_renumbered_board_reconnects_after_power_cycle(
     assert recorder.device.settings is not None
     assert recorder.device.settings.device_number == 9
     assert recorder.device.parameters.values.stored.get("device_number") == 9
-    recorder.until(recorder.device.shut_down)
+    recorder.shut_down()
