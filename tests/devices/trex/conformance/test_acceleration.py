@@ -29,15 +29,6 @@ def test_update_adds_a_tenth_of_acceleration_100_times_a_second(
         assert speed <= min(127, 10 + trex.most_updates * acceleration / 10)
 
 
-def test_tenths_of_a_count_accumulate(trex: Trex) -> None:
-    """CMD10 0xC4: an acceleration of 5 adds half a count in each update."""
-    trex.set_parameters(motor1_acceleration=5)
-    trex.send("C6 7F")
-    trex.wait(0.1)
-    speed = trex.motor(1)[1]
-    assert min(127, trex.fewest_updates // 2) <= speed <= trex.most_updates / 2
-
-
 def test_acceleration_ends_at_target_speed(trex: Trex) -> None:
     """CMD10 0xC4: if motor speed > target speed, motor speed = target speed."""
     trex.set_parameters(motor1_acceleration=100)

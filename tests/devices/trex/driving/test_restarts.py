@@ -1,5 +1,6 @@
 """Restarts while motors run. No reply reports them."""
 
+from collections.abc import Callable
 from functools import partial
 
 import pytest
@@ -88,30 +89,27 @@ def test_mode_change_stops_motors_and_drops_setpoints(harness: SessionHarness) -
     assert stopped == [True]
 
 
-def test_fluctuating_current_is_not_taken_for_a_restart() -> None:
+@pytest.mark.parametrize(
+    "disturbances",
+    [
+        lambda harness: [
+            (3.0 + step * 0.12, partial(harness.board.force_current, 1, current))
+            for step, current in enumerate([0.48, 0.15] * 7)
+        ],
+        # A motor that turns downhill may draw no current for any time.
+        lambda harness: [
+            (3.0, partial(harness.board.force_current, 1, 0.0)),
+            (3.6, partial(harness.board.force_current, 1, None)),
+        ],
+        lambda harness: [(3.0, harness.fault(to_drop=1))],
+    ],
+    ids=["fluctuating current", "no current", "lost reply"],
+)
+def test_disturbance_is_not_taken_for_a_restart(
+    disturbances: Callable[[SessionHarness], list[tuple[float, object]]],
+) -> None:
     harness, steps = driving(3.0)
-    force = harness.board.force_current
-    steps += [
-        (3.0 + step * 0.12, partial(force, 1, 0.15 if step % 2 else 0.48)) for step in range(14)
-    ]
-    schedule(harness, steps)
-    assert not of_type(run_for(harness, 4.9), MotorsStopped)
-
-
-def test_motor_without_current_keeps_running() -> None:
-    """A motor that turns downhill may draw no current for any time."""
-    harness, steps = driving(3.0)
-    force = harness.board.force_current
-    steps += [(3.0, lambda: force(1, 0.0)), (3.6, lambda: force(1, None))]
-    schedule(harness, steps)
-    speed = read_at(harness, 4.9, lambda: harness.board.motors[0].speed)
-    assert not of_type(run_for(harness, 5.0), MotorsStopped)
-    assert speed == [38]
-
-
-def test_lost_reply_is_not_taken_for_a_restart() -> None:
-    harness, steps = driving(3.0)
-    schedule(harness, [*steps, (3.0, harness.fault(to_drop=1))])
+    schedule(harness, steps + disturbances(harness))
     speed = read_at(harness, 4.9, lambda: harness.board.motors[0].speed)
     assert not of_type(run_for(harness, 5.0), MotorsStopped)
     assert speed == [38]

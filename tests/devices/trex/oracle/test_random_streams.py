@@ -369,31 +369,6 @@ def test_parameters_match_oracle_at_limits_of_their_values(firmware: str) -> Non
             comparison.send(bytes([0x9F, number, 0xAF, number, value, 0x55, 0x2A, 0x9F, number]))
 
 
-def test_parameters_match_oracle_after_power_cycles() -> None:
-    comparison = OracleComparison(Setup(mix=True))
-    for write in ("7b 01", "7c 01", "7d 65", "00 09", "7f 7f", "00 08"):
-        comparison.send(bytes.fromhex(f"af {write} 55 2a 82 86 1f 87 1f 9f 7b 9f 7c 9f 00"))
-        comparison.power_cycle(StreamGenerator(Random(write)).signals)
-        comparison.send(bytes.fromhex("82 86 1f 87 1f 9f 7b 9f 7c 9f 7d 9f 7e 9f 7f 9f 00"))
-
-
-def test_motors_at_rest_draw_no_current() -> None:
-    for joint in (0, 1):
-        comparison = OracleComparison(Setup(parameters={"motor_mode": joint}))
-        comparison.line.send(b"\x8f")
-        comparison.line.advance(REPLY_S)
-        assert comparison.line.receive() == b"\0\0"
-
-
-@pytest.mark.parametrize(("mode", "signal"), [("rc", "1000us"), ("analog", "0.1V")])
-def test_override_matches_oracle_after_safe_start(mode: str, signal: str) -> None:
-    comparison = OracleComparison(Setup(mode=mode))
-    comparison.send(b"\x83")
-    comparison.connect(["rest"] * 4 + [signal])
-    comparison.oracle.safe_start = False
-    comparison.send(b"\x83\x85\x84")
-
-
 @pytest.mark.parametrize(("mode", "signal"), [("rc", "1000us"), ("analog", "0.1V")])
 def test_safe_start_continues_if_override_is_on_at_power_up(mode: str, signal: str) -> None:
     comparison = OracleComparison(Setup(mode=mode, signals=["rest"] * 4 + [signal]))

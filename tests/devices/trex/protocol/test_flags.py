@@ -25,29 +25,19 @@ from trex_gui.devices.trex.protocol.flags import (
         (5, Status.MOTOR1_OVER_LIMIT, "Motor 1 over current limit"),
         (4, Status.MOTOR1_FAULT, "Motor 1 fault"),
         (0, Status.UART_ERROR, "UART error"),
-    ],
-)
-def test_status_bits_match_documentation(bit: int, flag: Status, name: str) -> None:
-    assert flag == 1 << bit
-    assert STATUS_MEANING[flag][0] == name
-
-
-@pytest.mark.parametrize(
-    ("bit", "flag", "name"),
-    [
-        (7, UartError.TIMEOUT, "timeout"),
-        (6, UartError.FORMAT, "format error"),
+        (7, UartError.TIMEOUT, "Serial timeout"),
+        (6, UartError.FORMAT, "Format error"),
         (5, UartError.CRC, "CRC error"),
-        (4, UartError.FRAMING, "framing error"),
-        (3, UartError.DATA_OVERRUN, "data overrun"),
-        (2, UartError.PARITY, "parity error"),
-        (1, UartError.READ_OVERRUN, "read buffer overrun"),
-        (0, UartError.SEND_OVERRUN, "send buffer overrun"),
+        (4, UartError.FRAMING, "Framing error"),
+        (3, UartError.DATA_OVERRUN, "Data overrun"),
+        (2, UartError.PARITY, "Parity error"),
+        (1, UartError.READ_OVERRUN, "Read buffer overrun"),
+        (0, UartError.SEND_OVERRUN, "Send buffer overrun"),
     ],
 )
-def test_uart_error_bits_match_documentation(bit: int, flag: UartError, name: str) -> None:
+def test_bits_match_documentation(bit: int, flag: Status | UartError, name: str) -> None:
     assert flag == 1 << bit
-    assert name.casefold() in UART_MEANING[flag][0].casefold()
+    assert (STATUS_MEANING[flag] if isinstance(flag, Status) else UART_MEANING[flag])[0] == name
 
 
 def test_status_bits_1_to_3_are_unused() -> None:

@@ -87,11 +87,6 @@ def test_typed_packet_changes_no_device_number_of_a_group(
     assert moving == [set()]
 
 
-def test_request_for_board_outside_the_group_is_rejected(harness: GroupHarness) -> None:
-    harness.script.at(OPENED, ToBoard(5, Reload(8)))
-    assert isinstance(outcomes(run_for(harness, 3.0, GROUP))[8].error, BadRequest)
-
-
 def test_stop_is_sent_to_both_boards_at_once_and_confirmed() -> None:
     """Check 60 stops. The soak test checks 100,000."""
     sent, confirmed = stop_delays(60, seed=1)
@@ -147,11 +142,11 @@ def test_error_names_missing_board_of_a_group(harness: GroupHarness) -> None:
 
 @pytest.mark.parametrize(
     "request_",
-    [SelectBoard(1, 9), Write(1, (("device_number", 5),))],
-    ids=["selection", "number"],
+    [SelectBoard(1, 9), Write(1, (("device_number", 5),)), ToBoard(5, Reload(1))],
+    ids=["selection", "number", "board outside the group"],
 )
-def test_group_rejects_selection_and_new_device_number(
-    harness: GroupHarness, request_: SelectBoard | Write
+def test_group_rejects_selection_new_number_and_other_boards(
+    harness: GroupHarness, request_: SelectBoard | Write | ToBoard
 ) -> None:
     harness.script.at(OPENED, request_)
     reports = run_for(harness, 4.0, GROUP)

@@ -54,19 +54,6 @@ def test_connection_reports_state_of_board(harness: SessionHarness) -> None:
     assert report.echo is False
 
 
-@pytest.mark.parametrize("baud", [1200, 115200])
-@pytest.mark.parametrize("detection", list(Detection))
-@pytest.mark.parametrize("echo", [False, True])
-def test_session_connects_at_settings_of_board(
-    baud: int, detection: Detection, *, echo: bool
-) -> None:
-    harness, settings = create_harness(baud, detection, echo=echo)
-    run_for(harness, 0.1 + 5000 / baud, settings)
-    report = connection_of(harness)
-    assert report.echo is echo
-    assert report.state.parameters["uart_settings"] == settings.line.to_wire()
-
-
 def test_setpoint_before_board_is_read_is_sent(harness: SessionHarness) -> None:
     harness.script.at(0.0, SetMotor(1, Drive.at(30)))
     run_for(harness, 1.0)

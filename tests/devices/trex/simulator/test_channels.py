@@ -198,15 +198,10 @@ def test_signal_text_can_be_parsed_back(signal: Signal, source: InputSource) -> 
 
 
 @few_examples
-@given(counts=st.integers(1250, 6250))
-def test_signal_from_pulse_counts_measures_same_counts(counts: int) -> None:
-    assert measured(Signal.parse(f"{counts}", RC), RC) == counts
-
-
-@few_examples
-@given(counts=st.integers(0, 1023))
-def test_signal_from_voltage_counts_measures_same_counts(counts: int) -> None:
-    assert measured(Signal.parse(f"{counts}", ANALOG), ANALOG) == counts
+@given(pulse=st.integers(1250, 6250), voltage=st.integers(0, 1023))
+def test_signal_from_counts_measures_same_counts(pulse: int, voltage: int) -> None:
+    for counts, source in ((pulse, RC), (voltage, ANALOG)):
+        assert measured(Signal.parse(f"{counts}", source), source) == counts
 
 
 @few_examples

@@ -189,19 +189,6 @@ def open_board(path: Path) -> Board:
     return Board(eeprom=eeprom)
 
 
-def test_calibration_out_of_order_after_power_cut_is_loaded(path: Path) -> None:
-    board = open_board(path)
-    board.set_calibration(2, Calibration(6000, 6100, 6200, 10))
-    board.advance(0.009)
-    board.power_off()
-    stored = Calibration(6000, FACTORY.neutral, OLD.maximum, OLD.deadband)
-    assert stored.minimum > stored.neutral
-    reopened = Board(eeprom=Eeprom.open(path))
-    assert reopened.calibration(2) == stored
-    reopened.advance(0.1)
-    assert all(-127 <= value <= 127 for value in reopened.remapped)
-
-
 def test_power_cut_cancels_unfinished_factory_reset_request(path: Path) -> None:
     board = open_board(path)
     board.set_parameter(0x7F, 0x7F)

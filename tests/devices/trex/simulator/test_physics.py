@@ -121,15 +121,6 @@ def test_braking_slows_motor_faster_than_coasting() -> None:
     assert 0 <= braked < half_braked < coasting < top
 
 
-def test_coasting_motor_is_stopped_by_friction(physics: MotorPhysics) -> None:
-    run(physics, 2.0, FULL)
-    top = physics.speed
-    run(physics, 0.2, 0.0)
-    assert 0.5 * top < physics.speed < top
-    run(physics, 20.0, 0.0)
-    assert physics.speed == 0
-
-
 @pytest.mark.parametrize("brake", [0.0, 0.3, 1.0])
 def test_sensor_reads_zero_while_braking_or_coasting(physics: MotorPhysics, brake: float) -> None:
     run(physics, 2.0, FULL)
