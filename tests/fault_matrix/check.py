@@ -175,14 +175,14 @@ def run_case(
     healed = False
     try:
         moment.start(harness, inject)
-        harness.wait_seconds(HOLD_SECONDS)
+        harness.window.wait_seconds(HOLD_SECONDS)
         if not fault.hides_board:
             _check_motors(harness, fault)
         if fault_name == "unplug" and moment_name in DRIVING:
             _check_silence(harness)
         fault.heal(harness)
         healed = True
-        harness.wait_seconds(HEAL_SECONDS)
+        harness.window.wait_seconds(HEAL_SECONDS)
         moment.end(harness)
     finally:
         if not healed:

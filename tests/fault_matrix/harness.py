@@ -203,10 +203,6 @@ class FaultHarness:
         self.window.device.connection.progressed.connect(on_progressed)
         return lambda: bool(done)
 
-    def wait_seconds(self, seconds: float) -> None:
-        end = now() + seconds
-        self.window.wait(lambda: now() >= end)
-
     @property
     def recordings(self) -> Any:
         return trex(self.window.program).workspace.recordings

@@ -177,7 +177,7 @@ def _find(harness: FaultHarness, inject: Inject) -> None:
     harness.window.click("findButton")
     find = _find_dialog(harness)
     find.search(harness.window, harness.url)
-    harness.wait_seconds(0.2)
+    harness.window.wait_seconds(0.2)
     inject()
 
 

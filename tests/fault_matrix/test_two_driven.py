@@ -11,7 +11,6 @@ from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.runtime import now
 
 HOLD_SECONDS, HEAL_SECONDS = 3.0, 5.0  # duration of a fault, and time to recover
 OFF_SECONDS = 1.0  # a hand needs this long for a switch; shorter silences may be ignored
@@ -57,10 +56,6 @@ class TwoBoardHarness:
         self.window.program.device_manager.press_stop()
         self.window.wait(lambda: not self.window.device.may_move and not self.moving())
 
-    def wait_seconds(self, seconds: float) -> None:
-        end = now() + seconds
-        self.window.wait(lambda: now() >= end)
-
 
 Action = Callable[[TwoBoardHarness, int], object]
 
@@ -84,13 +79,13 @@ def _line(*lines: str) -> Action:
 
 def _replace(harness: TwoBoardHarness, number: int) -> None:
     harness.line.do(f"@{number} power off", f"{SPARE} eeprom device_number {number}")
-    harness.wait_seconds(OFF_SECONDS)
+    harness.window.wait_seconds(OFF_SECONDS)
     harness.line.do(f"{SPARE} power on")
 
 
 def _reset(harness: TwoBoardHarness, number: int) -> None:
     harness.line.do(f"@{number} power off")
-    harness.wait_seconds(OFF_SECONDS)
+    harness.window.wait_seconds(OFF_SECONDS)
     harness.line.do(f"@{number} power on")
 
 
@@ -134,7 +129,7 @@ def test_fault_of_a_board_stops_both_and_names_the_board(
 ) -> None:
     harness, fault = TwoBoardHarness(window, start_simulator), BOARD_FAULTS[name]
     fault.inject(harness, number)
-    harness.wait_seconds(HOLD_SECONDS)
+    harness.window.wait_seconds(HOLD_SECONDS)
     assert not harness.moving()
     assert not window.motors.armed
     messages = [*harness.messages, window.motors.stop_reason]
@@ -155,7 +150,7 @@ def test_fault_of_the_line_stops_motors_or_shows_they_may_run(
 ) -> None:
     harness, fault = TwoBoardHarness(window, start_simulator), LINE_FAULTS[name]
     fault.inject(harness, 0)
-    harness.wait_seconds(HOLD_SECONDS)
+    harness.window.wait_seconds(HOLD_SECONDS)
     assert window.device.may_move or not harness.moving()
     assert not (window.motors.armed and fault.stops)
     assert window.motors.armed or harness.messages or window.motors.stop_reason
@@ -166,7 +161,7 @@ def test_fault_of_the_line_stops_motors_or_shows_they_may_run(
 def _check_recovery(harness: TwoBoardHarness) -> None:
     """Check that both boards can be connected, driven and stopped again."""
     window = harness.window
-    harness.wait_seconds(HEAL_SECONDS)
+    harness.window.wait_seconds(HEAL_SECONDS)
     if window.device.link is ConnectionState.DISCONNECTED:
         harness.connect()
     window.wait(lambda: window.device.is_connected)

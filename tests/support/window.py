@@ -36,6 +36,7 @@ from trex_gui.ui.devices.ports import Port
 from trex_gui.ui.files import background
 from trex_gui.ui.frame.workspace import Menu, entries_of
 from trex_gui.ui.program import Program
+from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.behaviour import ConfirmButton
 
 ObjectT = TypeVar("ObjectT", bound=QObject)
@@ -99,6 +100,10 @@ class WidgetDriver:
     def wait(self, condition: Callable[[], object], timeout: int = TIMEOUT_MS) -> None:
         """Let time pass until a condition holds. `timeout` in milliseconds."""
         self.qtbot.waitUntil(lambda: bool(condition()), timeout=timeout)
+
+    def wait_seconds(self, seconds: float) -> None:
+        end = now() + seconds
+        self.wait(lambda: now() >= end)
 
     def wait_for_files(self) -> None:
         """Wait until all file operations are done and the window has settled."""
@@ -178,6 +183,15 @@ class WidgetDriver:
         if release:
             QTest.mouseRelease(slider, LEFT, pos=end)
         return slider
+
+    def move_slider(self, name: str, value: int) -> None:
+        """Move the mouse to the position of a slider's handle at a value."""
+        slider = self.find(QSlider, name)
+        QTest.mouseMove(slider, self.handle_of(slider, value))
+
+    def release_slider(self, name: str) -> None:
+        slider = self.find(QSlider, name)
+        QTest.mouseRelease(slider, LEFT, pos=self.handle_of(slider))
 
     def press_escape(self) -> None:
         QTest.keyClick(self.root, Qt.Key.Key_Escape)

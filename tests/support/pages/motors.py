@@ -144,15 +144,6 @@ class MotorsPage(WindowDriver):
         """Drag the handle of a slider without releasing the mouse button."""
         return self.drag(name, value, release=False)
 
-    def move_slider(self, name: str, value: int) -> None:
-        """Move the mouse to the position of a slider's handle at a value."""
-        slider = self.find(QSlider, name)
-        QTest.mouseMove(slider, self.handle_of(slider, value))
-
-    def release_slider(self, name: str) -> None:
-        slider = self.find(QSlider, name)
-        QTest.mouseRelease(slider, LEFT, pos=self.handle_of(slider))
-
     def slider_value(self, name: str) -> int:
         return self.find(QSlider, name).value()
 

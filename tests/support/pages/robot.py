@@ -5,12 +5,11 @@ from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QItemSelectionModel
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QListView, QMenu, QSlider, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.program import aracna
-from tests.support.window import LEFT, WindowDriver
+from tests.support.window import WindowDriver
 from trex_gui.devices.aracna.session.messages import Moving, SpeedsHeld
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.program import Program
@@ -161,13 +160,6 @@ class RobotWindow(WindowDriver):
         ]
 
     # --- Mouse and keys -----------------------------------------------------------------
-
-    def move_handle(self, slider: QSlider, value: int) -> None:
-        """Move the handle of a held slider to a value."""
-        QTest.mouseMove(slider, self.handle_of(slider, value))
-
-    def release_handle(self, slider: QSlider) -> None:
-        QTest.mouseRelease(slider, LEFT, pos=self.handle_of(slider))
 
     def type_unconfirmed(self, name: str, text: str) -> None:
         """Type into a number box without leaving it."""

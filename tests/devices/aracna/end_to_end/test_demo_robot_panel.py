@@ -3,8 +3,6 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QDockWidget, QProgressBar
 
 from tests.support.pages.robot import RobotWindow
@@ -33,15 +31,6 @@ class DemoRobotPanel(WidgetDriver):
 
     def gauge(self, motor: int) -> QProgressBar:
         return self.find(QProgressBar, f"aracnaDemoGauge{motor}")
-
-    def slide(self, name: str, share: float) -> None:
-        """Move a slider with the keyboard to a share of its range."""
-        slider = self.find(StickSlider, name)
-        slider.setFocus()
-        QTest.keyClick(slider, Qt.Key.Key_Home)
-        steps = round(share * (slider.maximum() - slider.minimum()) / slider.singleStep())
-        for _ in range(steps):
-            QTest.keyClick(slider, Qt.Key.Key_Right)
 
     def start_motion(self, goal: int = 100, speed: int = 40) -> None:
         """Start a slow motion of all motors, which takes 4.5 s."""
@@ -140,7 +129,8 @@ def test_faults_last_until_they_are_cleared(panel: DemoRobotPanel) -> None:
     # All faults are cleared at once.
     for name in ("aracnaDemoDead1", "aracnaDemoBlocked2", "aracnaDemoMute", "aracnaDemoServoPower"):
         panel.click(name)
-    panel.slide("aracnaDemoNoise", 0.5)
+    noise = panel.find(StickSlider, "aracnaDemoNoise")
+    panel.drag("aracnaDemoNoise", noise.maximum() // 2)
     panel.wait(lambda: panel.snapshot.line.noise > 0.02)
     assert panel.snapshot.servos[1].dead
     assert panel.snapshot.servos[2].blocked

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtWidgets import QMessageBox
 
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
+from tests.support.pages.settings import answer_questions
 from tests.support.program import aracna, trex
 from trex_gui.ui.devices.connection import ConnectionState
 
@@ -42,12 +43,6 @@ def banner(window: RobotWindow) -> str:
 def test_dropped_files_open_in_their_workspace(
     window: RobotWindow, write_file: WriteFile, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    questions: list[str] = []
-
-    def cancel(*words: object) -> QMessageBox.StandardButton:
-        questions.append(str(words[2]))
-        return QMessageBox.StandardButton.Cancel
-
     for name in ("photo.png", "noname"):
         assert window.drop(write_file(name, "what"))
         reason = f"{name} was not opened: its type is not supported."
@@ -59,7 +54,7 @@ def test_dropped_files_open_in_their_workspace(
     reason = "None of the 2 dropped files was opened. Drop one file at a time."
     window.wait_for_text("bannerText", reason)
 
-    monkeypatch.setattr(QMessageBox, "question", cancel)
+    questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     aracna(window.program).library.add_pose([200] * 8, "mine")
     window.drop(write_file("walk.ppr", POSES))
     window.wait(lambda: questions)

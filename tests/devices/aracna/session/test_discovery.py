@@ -129,7 +129,7 @@ def test_silent_port_is_reported_for_both_devices() -> None:
     trex, aracna = search_both(harness.transport).lines
     assert trex.startswith("No TReX responds on virtual at any baud rate")
     assert aracna.startswith("No Aracna responds on virtual at 38400 baud")
-    assert "does not listen while it moves" in aracna
+    assert "wait until it stops: it does not listen while it moves" in aracna
     assert "power" in aracna
 
 
