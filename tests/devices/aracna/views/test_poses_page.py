@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from tests.support.pages.settings import answer_questions
 from tests.support.slow_disk import SlowDisk
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.aracna.model.library import ItemKind, Library
@@ -451,8 +452,7 @@ def test_save_asks_before_overwriting_external_change(
     path = tmp_path / "mine.ppr"
     driver.save_to(path)
     path.write_text("Aracna:8\n", encoding="utf-8")
-    cancel = QMessageBox.StandardButton.Cancel
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: cancel)
+    answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     driver.page.files.save()
     driver.wait_for_files()
     assert path.read_text(encoding="utf-8") == "Aracna:8\n"
@@ -489,15 +489,7 @@ def test_second_save_writes_its_own_file(
     driver: PosesPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "mine.ppr"
-    questions: list[str] = []
-
-    def question(
-        _window: QWidget, _title: str, text: str, *_: object
-    ) -> QMessageBox.StandardButton:
-        questions.append(text)
-        return QMessageBox.StandardButton.Yes
-
-    monkeypatch.setattr(QMessageBox, "question", question)
+    questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
     driver.library.add_pose(EIGHT, "mine")
     driver.save_to(path)
     SlowDisk(monkeypatch)
