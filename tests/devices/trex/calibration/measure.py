@@ -40,9 +40,10 @@ def travel_of(
     channel: int = 1,
     moves: tuple[tuple[float, float], ...] = HOLD,
     seed: int = 2,
+    rate: float = RATE,
 ) -> Travel:
     travel = Travel(neutral, TASKS[channel])
-    for sample in stick.samples(moves, Random(seed), start=10.0):
+    for sample in stick.samples(moves, Random(seed), 10.0, rate):
         travel.feed(sample)
     return travel
 

@@ -1,17 +1,16 @@
 """Ends of travel that must be held, at any sample rate."""
 
-from random import Random
-
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from tests.devices.trex.calibration import measure
 from tests.devices.trex.calibration.measure import neutral_of, neutral_of_counts
 from tests.support.matrix import examples
 from tests.support.transmitter import RATE, Stick
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
-from trex_gui.devices.trex.calibration.travel import TASKS, WINDOW, Task, Travel, Way
+from trex_gui.devices.trex.calibration.travel import WINDOW, Travel, Way
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -33,14 +32,9 @@ def push(end: float, rise: float, hold: float, fall: float) -> Moves:
     return (rise, end), (hold, end), (fall, 0.0)
 
 
-def travel_of(
-    stick: Stick, moves: Moves, rate: float, seed: int = 1, task: Task = Task.STICK
-) -> Travel:
-    travel = Travel(neutral_of(stick), task)
-    moves = ((1.5 + WINDOW / rate, 0.0), *moves)  # the rest is long enough to measure the rate
-    for sample in stick.samples(moves, Random(seed), 10.0, rate):
-        travel.feed(sample)
-    return travel
+def travel_of(stick: Stick, moves: Moves, rate: float, seed: int = 1, channel: int = 1) -> Travel:
+    rest = (1.5 + WINDOW / rate, 0.0)  # long enough to measure the rate
+    return measure.travel_of(stick, neutral_of(stick), channel, (rest, *moves), seed, rate)
 
 
 def proposal_of(stick: Stick, travel: Travel) -> Proposal:
@@ -155,10 +149,9 @@ def test_low_sample_rate_is_detected() -> None:
 
 def test_switch_at_low_rate_must_be_held_in_position() -> None:
     switch = Stick(rest=1900, low=1100, high=1900, forward_is_down=True)
-    assert TASKS[4] is Task.SWITCH
-    passed = travel_of(switch, ((0.1, 1.0), (0.1, 0.0), (0.5, 0.0)), 5.0, task=Task.SWITCH)
+    passed = travel_of(switch, ((0.1, 1.0), (0.1, 0.0), (0.5, 0.0)), 5.0, channel=4)
     assert not passed.is_enough
-    held = travel_of(switch, push(1.0, 0.1, 1.0, 0.1), 5.0, task=Task.SWITCH)
+    held = travel_of(switch, push(1.0, 0.1, 1.0, 0.1), 5.0, channel=4)
     assert held.is_enough
 
 

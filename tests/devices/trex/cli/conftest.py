@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 from click.testing import Result
@@ -43,6 +44,14 @@ def trexcmd(start: StartCommand) -> RunCommand:
 
 
 @pytest.fixture
+def saved(trexcmd: RunCommand, tmp_path: Path) -> Path:
+    """Settings file of the simulated board."""
+    path = tmp_path / "board.txt"
+    trexcmd("get-settings", str(path))
+    return path
+
+
+@pytest.fixture
 def start_process(quick_simulator: SimulatedDevice) -> Iterator[StartProcess]:
     """Start the program as a process, and kill it after the test."""
     running: list[subprocess.Popen[str]] = []
@@ -62,6 +71,17 @@ def start_process(quick_simulator: SimulatedDevice) -> Iterator[StartProcess]:
     for process in running:
         process.kill()
         process.communicate()
+
+
+def changed(path: Path, **values: object) -> Path:
+    """Return a copy of a settings file with these values."""
+    lines = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        key = line.partition(":")[0]
+        lines.append(f"{key}: {values[key]}" if key in values else line)
+    copy = path.with_name("changed.txt")
+    copy.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return copy
 
 
 def becomes(read: Callable[[], object], expected: object, seconds: float = 30) -> bool:

@@ -6,32 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.devices.trex.cli.conftest import becomes
+from tests.devices.trex.cli.conftest import becomes, changed
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand
 from trex_gui.core.files import Finding, SettingsError
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
-
-
-@pytest.fixture
-def saved(trexcmd: RunCommand, tmp_path: Path) -> Path:
-    """Settings file of the simulated board."""
-    path = tmp_path / "board.txt"
-    trexcmd("get-settings", str(path))
-    return path
-
-
-def changed(path: Path, **values: object) -> Path:
-    """Return a copy of a settings file with these values."""
-    lines = []
-    for line in path.read_text(encoding="utf-8").splitlines():
-        key = line.partition(":")[0]
-        lines.append(f"{key}: {values[key]}" if key in values else line)
-    copy = path.with_name("changed.txt")
-    copy.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    return copy
 
 
 def stored(simulator: SimulatedDevice, key: str) -> int:

@@ -50,7 +50,6 @@ def test_history_lists_newest_snapshot_first(trexcmd: RunCommand) -> None:
     assert (row["device_number"], row["adapter"]) == (9, "FT232R (ttyUSB0)")
     assert row["problem"] is None
     assert row["path"] == str(snapshot.path)
-    assert "after show" in trexcmd("history", "--json", "show", "1", exits=2).stderr
 
 
 def test_damaged_snapshot_is_listed_as_damaged(trexcmd: RunCommand) -> None:
@@ -161,10 +160,3 @@ def test_snapshot_is_selected_by_its_name(trexcmd: RunCommand) -> None:
     assert (row["name"], row["note"]) == ("contest", "as it won")
     trexcmd("history", "name", "contest", "", "--note", "")
     assert "neither the number" in trexcmd("history", "path", "contest", exits=2).stderr
-
-
-def test_number_is_rejected_as_a_snapshot_name(trexcmd: RunCommand) -> None:
-    save_snapshot()
-    assert "number" in trexcmd("history", "name", "1", "2", exits=1).stderr
-    assert "Give a name" in trexcmd("history", "name", "1", exits=2).stderr
-    assert "has no --find" in trexcmd("history", "--find", "x", "path", "1", exits=2).stderr

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.devices.trex.cli.conftest import changed
 from tests.devices.trex.conftest import STOPPED, motor
 from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator
@@ -17,17 +18,9 @@ from trex_gui.devices.trex.settings.provision_record import ProvisionedBoard, Pr
 
 
 @pytest.fixture
-def profile(trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path) -> Path:
+def profile(saved: Path) -> Path:
     """Profile that differs from a new board in two parameters."""
-    file = tmp_path / "profile.txt"
-    trexcmd("get-settings", str(file))
-    text = file.read_text("utf-8")
-    for new in ("serial_timeout: 5", "motor1_acceleration: 20"):
-        key = new.split(":")[0]
-        (line,) = (line for line in text.splitlines() if line.startswith(f"{key}:"))
-        text = text.replace(line, new)
-    file.write_text(text, "utf-8")
-    return file
+    return changed(saved, serial_timeout=5, motor1_acceleration=20)
 
 
 def rows_of(file: Path) -> list[dict[str, str]]:

@@ -81,30 +81,21 @@ def settings_for(link: ConnectionSettings, model: str = "trex", **parameters: in
     )
 
 
-class Board:
+class Board(SimulatorProcess):
     """Simulated board that several tests reuse."""
 
     def __init__(self, memory: Path, *arguments: str) -> None:
-        self._simulator = SimulatorProcess(*arguments, "--eeprom", str(memory))
+        super().__init__(*arguments, "--eeprom", str(memory))
         self._memory = memory
         self._writes_before = 0
-        self.url = self._simulator.url
-        self.do = self._simulator.do
-        self.show = self._simulator.show
-        self.end = self._simulator.end
 
     def reset(self, link: ConnectionSettings) -> None:
         """Reset everything but the line settings."""
-        self.do("line mute off")
-        for motor in (1, 2):
-            self.do(f"fault {motor} off")
-            self.do(f"current {motor} auto")
-        self.do("factory")
-        self.do(f"eeprom uart_settings {link.line.to_wire()}")
-        self.do(f"eeprom crc7_polynomial {link.polynomial & 0x7F}")
         number = DEVICE if link.device_number is None else link.device_number
-        self.do(f"eeprom device_number {number}")
-        self.do("power cycle")
+        self.do("line mute off", "fault 1 off", "fault 2 off", "current 1 auto", "current 2 auto")
+        self.do("factory", f"eeprom uart_settings {link.line.to_wire()}")
+        self.do(f"eeprom crc7_polynomial {link.polynomial & 0x7F}")
+        self.do(f"eeprom device_number {number}", "power cycle")
         self._writes_before += self.writes
 
     @property

@@ -182,9 +182,7 @@ def test_currents_and_faults_can_be_read(
 ) -> None:
     board = boards.board(link(), "trexjr")
     program = prepared_program(tmp_path, settings_for(link(), "trexjr"), link(), language)
-    board.do("current 1 2.4")
-    board.do("current 2 9.92")
-    board.do("fault 1 on")
+    board.do("current 1 2.4", "current 2 9.92", "fault 1 on")
     with interactive_program(program, board.url) as trex:
         deadline = time.monotonic() + 30
         while trex.do("currents") != ["2400 9920"]:  # the board averages them
