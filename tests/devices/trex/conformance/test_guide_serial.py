@@ -42,39 +42,31 @@ def cause_error(trex: Trex, error: str) -> None:
 ERRORS = ["format", "framing", "overrun"]
 
 
-def assert_error_stops_motors(trex: Trex, error: str) -> None:
-    trex.set_parameters(uart_error_shutdown=1)
+def assert_error_stops_motors(trex: Trex, error: str, *, shutdown: bool) -> None:
+    """Check that an error stops the motors only if the shutdown is enabled."""
+    trex.set_parameters(uart_error_shutdown=int(shutdown))
     trex.send("D6 30 40", "F0 50")
     cause_error(trex, error)
     trex.wait(0.012)
-    state = trex.show()
-    outputs = [(motor["direction"], motor["speed"]) for motor in state["motors"]]
-    assert outputs == [("brake", 127), ("brake", 127)]  # inferred: motors brake fully
-    assert state["aux"]["speed"] == 0
+    stopped = [("brake", 127), ("brake", 127), 0]  # inferred: motors brake fully
+    assert trex.outputs() == (stopped if shutdown else [("forward", 0x30), ("reverse", 0x40), 0x50])
+    assert trex.request("85") != "00"
 
 
 @pytest.mark.parametrize("error", ERRORS)
-def test_serial_error_stops_motors_if_shutdown_is_enabled(trex: Trex, error: str) -> None:
+@pytest.mark.parametrize("shutdown", [True, False])
+def test_serial_error_stops_motors_only_if_shutdown_is_enabled(
+    trex: Trex, error: str, *, shutdown: bool
+) -> None:
     """User's Guide 5.b: parameter 0x08."""
-    assert_error_stops_motors(trex, error)
+    assert_error_stops_motors(trex, error, shutdown=shutdown)
 
 
 @only(crc=True)
-def test_crc_error_stops_motors_if_shutdown_is_enabled(trex: Trex) -> None:
+@pytest.mark.parametrize("shutdown", [True, False])
+def test_crc_error_stops_motors_only_if_shutdown_is_enabled(trex: Trex, *, shutdown: bool) -> None:
     """User's Guide 5.b: "if a serial error occurs"."""
-    assert_error_stops_motors(trex, "crc")
-
-
-@pytest.mark.parametrize("error", ERRORS)
-def test_serial_error_keeps_motors_if_shutdown_is_disabled(trex: Trex, error: str) -> None:
-    """User's Guide 5.b."""
-    trex.set_parameters(uart_error_shutdown=0)
-    trex.send("D6 30 40", "F0 50")
-    cause_error(trex, error)
-    trex.wait(0.012)
-    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
-    assert trex.show()["aux"]["speed"] == 0x50
-    assert trex.request("85") != "00"
+    assert_error_stops_motors(trex, "crc", shutdown=shutdown)
 
 
 @pytest.mark.parametrize("error", ERRORS)

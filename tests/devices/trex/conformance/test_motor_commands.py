@@ -14,13 +14,6 @@ SET_COMMANDS = {1: 0xC0, 2: 0xC8}
 """First of the four set commands of each motor. Four accelerate commands follow."""
 
 
-def outputs(trex: Trex) -> list[object]:
-    """Return direction and speed of motors 1 and 2, and the speed of the auxiliary motor."""
-    state = trex.show()
-    motors = [(motor["direction"], motor["speed"]) for motor in state["motors"]]
-    return [*motors, state["aux"]["speed"]]
-
-
 @pytest.mark.parametrize("motor", [1, 2])
 def test_set_command_sets_speed_and_direction_of_its_motor(trex: Trex, motor: int) -> None:
     """CMD10 0xC0 - 0xC3, 0xC8 - 0xCB: the direction bits."""
@@ -29,14 +22,14 @@ def test_set_command_sets_speed_and_direction_of_its_motor(trex: Trex, motor: in
         trex.send(f"{SET_COMMANDS[motor] | bits:02X} 5A")
         expected: list[object] = [("forward", 0x11), ("forward", 0x12), 0x13]
         expected[motor - 1] = direction, 0x5A
-        assert outputs(trex) == expected
+        assert trex.outputs() == expected
 
 
 def test_set_command_sets_speed_to_data_byte(trex: Trex) -> None:
     """CMD10 0xC0 and 0xF0."""
     for data in (0, 1, 2, 63, 64, 126, 127):
         trex.send(f"C2 {data:02X}", f"C9 {data:02X}", f"F0 {data:02X}")
-        assert outputs(trex) == [("forward", data), ("reverse", data), data]
+        assert trex.outputs() == [("forward", data), ("reverse", data), data]
 
 
 def test_set_command_ignores_acceleration_and_brake_duration(trex: Trex) -> None:
@@ -46,11 +39,11 @@ def test_set_command_ignores_acceleration_and_brake_duration(trex: Trex) -> None
         motor1_brake_duration=50, motor2_brake_duration=50,
     )  # fmt: skip
     trex.send("D6 7F 7F", "F0 7F")
-    assert outputs(trex) == [("forward", 127), ("reverse", 127), 127]
+    assert trex.outputs() == [("forward", 127), ("reverse", 127), 127]
     trex.send("D9 20 30", "F0 40")
-    assert outputs(trex) == [("reverse", 0x20), ("forward", 0x30), 0x40]
+    assert trex.outputs() == [("reverse", 0x20), ("forward", 0x30), 0x40]
     trex.wait(0.03)
-    assert outputs(trex) == [("reverse", 0x20), ("forward", 0x30), 0x40]
+    assert trex.outputs() == [("reverse", 0x20), ("forward", 0x30), 0x40]
 
 
 def test_set_both_sets_two_directions_and_two_speeds(trex: Trex) -> None:
@@ -59,7 +52,7 @@ def test_set_both_sets_two_directions_and_two_speeds(trex: Trex) -> None:
         trex.send(*START)
         trex.send(f"{0xD0 | bits:02X} 21 43")
         first, second = DIRECTIONS[bits & 3], DIRECTIONS[bits >> 2]
-        assert outputs(trex) == [(first, 0x21), (second, 0x43), 0x13]
+        assert trex.outputs() == [(first, 0x21), (second, 0x43), 0x13]
 
 
 @pytest.mark.parametrize("motor", [1, 2])
@@ -73,7 +66,7 @@ def test_accelerate_sets_target_speed_and_direction_of_its_motor(trex: Trex, mot
         trex.wait(0.012)
         expected: list[object] = [("forward", 0x11), ("forward", 0x12), 0x13]
         expected[motor - 1] = direction, 0x5A
-        assert outputs(trex) == expected
+        assert trex.outputs() == expected
 
 
 def test_accelerate_both_sets_two_target_directions_and_speeds(trex: Trex) -> None:
@@ -84,7 +77,7 @@ def test_accelerate_both_sets_two_target_directions_and_speeds(trex: Trex) -> No
         first, second = DIRECTIONS[bits & 3], DIRECTIONS[bits >> 2]
         assert (trex.target(1), trex.target(2)) == ((first, 0x21), (second, 0x43))
     trex.wait(0.012)
-    assert outputs(trex) == [(first, 0x21), (second, 0x43), 0x13]
+    assert trex.outputs() == [(first, 0x21), (second, 0x43), 0x13]
 
 
 @only(harness="parser")  # bytes take no time, so no update is between the commands
@@ -93,7 +86,7 @@ def test_accelerate_commands_act_with_next_update(trex: Trex) -> None:
     for command in (*range(0xC4, 0xC8), *range(0xCC, 0xD0), *range(0xE0, 0xF0), 0xF1):
         trex.send(*START)
         trex.send(f"{command:02X} 5A 5B" if 0xE0 <= command < 0xF0 else f"{command:02X} 5A")
-        assert outputs(trex) == [("forward", 0x11), ("forward", 0x12), 0x13], f"{command:02X}"
+        assert trex.outputs() == [("forward", 0x11), ("forward", 0x12), 0x13], f"{command:02X}"
 
 
 def test_accelerate_auxiliary_sets_its_target_speed(trex: Trex) -> None:
@@ -102,7 +95,7 @@ def test_accelerate_auxiliary_sets_its_target_speed(trex: Trex) -> None:
     trex.send("F1 7F")
     assert trex.show()["aux"]["target_speed"] == 127
     trex.wait(0.012)
-    assert outputs(trex) == [("forward", 0x11), ("forward", 0x12), 127]
+    assert trex.outputs() == [("forward", 0x11), ("forward", 0x12), 127]
 
 
 def test_auxiliary_gains_a_tenth_of_acceleration_every_10_ms(trex: Trex) -> None:
@@ -124,7 +117,7 @@ def test_commands_before_override_apply_when_override_begins(
         trex.send("C4 01", "C6 30", "CD 40", "F1 50")
     else:
         trex.send("C0 01", "C2 30", "C9 40", "F0 50")
-    assert outputs(trex)[2] == 0
+    assert trex.outputs()[2] == 0
     trex.connect(c5="1000us")
     trex.wait(0.012)
-    assert outputs(trex) == [("forward", 0x30), ("reverse", 0x40), 0x50]
+    assert trex.outputs() == [("forward", 0x30), ("reverse", 0x40), 0x50]

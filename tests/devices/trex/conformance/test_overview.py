@@ -78,8 +78,7 @@ def test_motors_respond_during_serial_override(trex: Trex, mode: str, low: str) 
     trex.start(mode)
     trex.connect(c5=low)
     trex.send("D6 30 40", "F0 50")
-    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
-    assert trex.show()["aux"]["speed"] == 0x50
+    assert trex.outputs() == [("forward", 0x30), ("reverse", 0x40), 0x50]
 
 
 def test_channels_control_motors_after_serial_override(trex: Trex) -> None:

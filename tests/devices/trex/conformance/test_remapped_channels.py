@@ -112,8 +112,7 @@ def test_serial_program_can_mimic_rc_mode(trex: Trex) -> None:
             trex.send(f"{0xCD if second & 0x80 else 0xCE:02X} {second & 0x7F:02X}")
             trex.send(f"F1 {third & 0x7F:02X}")
         trex.wait(0.02)
-        state = trex.show()
-        outputs.append((trex.motor(1), trex.motor(2), state["aux"]["speed"]))
+        outputs.append(trex.outputs())
         trex.control("factory")
         trex.set_baud(115200)
     assert outputs[0] == outputs[1]

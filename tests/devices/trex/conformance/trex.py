@@ -226,6 +226,12 @@ class Trex:
         motor = self.show()["motors"][number - 1]
         return motor["target_direction"], motor["target_speed"]
 
+    def outputs(self) -> list[Any]:
+        """Return direction and speed of motors 1 and 2, and the speed of the auxiliary motor."""
+        state = self.show()
+        motors = [(motor["direction"], motor["speed"]) for motor in state["motors"]]
+        return [*motors, state["aux"]["speed"]]
+
     def set_parameters(self, **parameters: int) -> None:
         """Store parameters, and restart the board."""
         for key, value in parameters.items():

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
-from tests.devices.trex.session.helpers import TwoBoards, outcomes, run_for
+from tests.devices.trex.session.helpers import TwoBoards, outcomes, timed_run
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -92,18 +92,10 @@ def stop_delays(count: int, seed: int) -> tuple[list[float], list[float]]:
         requested.append(now)
         harness.script.at(now, Stop(number))
         now += 0.07
-    confirmed: dict[int, float] = {}
-    reports = harness.reports
-
-    class TimedReports(list[Report]):
-        def append(self, report: Report) -> None:
-            super().append(report)
-            if isinstance(report, Outcome):
-                confirmed[report.id] = harness.line.now
-
-    harness.reports = TimedReports(reports)
-    run_for(harness, now, GROUP)
-    assert all(outcome.error is None for outcome in outcomes(harness.reports).values())
+    harness.script.at(now, Close())
+    reports = timed_run(harness, GROUP)
+    assert all(outcome.error is None for outcome in outcomes(each for _, each in reports).values())
+    confirmed = {each.id: time for time, each in reports if isinstance(each, Outcome)}
     sent = [
         max(next(time for time in harness.stop_times(number) if time > start) for number in (7, 9))
         for start in requested

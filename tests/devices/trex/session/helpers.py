@@ -5,7 +5,7 @@ from enum import Enum
 from typing import Any, TypeVar, cast
 
 from tests.devices.trex.simulator.ports import create_board
-from tests.support.virtual import SessionHarness, VirtualTransport
+from tests.support.virtual import SessionHarness
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.client.client import Requester
 from trex_gui.devices.trex.client.telemetry import Sample
@@ -19,7 +19,6 @@ from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.session.messages import Report, SendPacket
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
@@ -179,29 +178,3 @@ def timed_run(harness: SessionHarness, settings: ConnectionSettings) -> list[tup
     )
     session.run()
     return reports
-
-
-class FailingTransport(VirtualTransport):
-    """Transport that fails after some calls."""
-
-    def __init__(self, line: SimulatedBoards, calls: int, failure: Exception) -> None:
-        super().__init__(line)
-        self._calls_left = calls
-        self._failure = failure
-
-    def _use(self) -> None:
-        if self._calls_left <= 0:
-            raise self._failure
-        self._calls_left -= 1
-
-    def write(self, data: bytes) -> None:
-        self._use()
-        super().write(data)
-
-    def read(self, size: int, seconds: float) -> bytes:
-        self._use()
-        return super().read(size, seconds)
-
-    def discard(self) -> bytes:
-        self._use()
-        return super().discard()

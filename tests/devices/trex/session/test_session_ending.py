@@ -1,13 +1,14 @@
 """Closed ports, outcomes of requests and stopped motors at the end of a session."""
 
 import logging
+from collections.abc import Callable
+from itertools import count
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.devices.trex.session.helpers import (
-    FailingTransport,
     commands,
     create_harness,
     is_stopped,
@@ -148,8 +149,18 @@ REQUESTS: list[Request] = [
 
 def failing_harness(calls: int, failure: Exception, requests: list[Request]) -> SessionHarness:
     """Return a harness whose transport fails after some calls."""
-    harness = SessionHarness(Board())
-    harness.transport = FailingTransport(harness.line, calls, failure)
+    harness, calls_left = SessionHarness(Board()), count(calls, -1)
+
+    def limited(call: Callable[..., object]) -> Callable[..., object]:
+        def limited_call(*arguments: object) -> object:
+            if next(calls_left) <= 0:
+                raise failure
+            return call(*arguments)
+
+        return limited_call
+
+    for name in ("write", "read", "discard"):
+        setattr(harness.transport, name, limited(getattr(harness.transport, name)))
     for number, request in enumerate(requests):
         harness.script.at(0.5 + number * 0.03, request)
     harness.script.at(2.0, Close())
