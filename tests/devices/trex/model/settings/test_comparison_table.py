@@ -175,17 +175,13 @@ class Table(QAbstractTableModel):
         super().__init__()
         self.rows: list[Row] = []
 
-    def rowCount(self, parent: QModelIndex | QPersistentModelIndex | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(self.rows)
+    def rowCount(self, _parent: Any = None) -> int:
+        return len(self.rows)
 
-    def columnCount(self, parent: QModelIndex | QPersistentModelIndex | None = None) -> int:
+    def columnCount(self, _parent: Any = None) -> int:
         return 2
 
-    def data(
-        self,
-        index: QModelIndex | QPersistentModelIndex,
-        role: int = Qt.ItemDataRole.DisplayRole,
-    ) -> Any:
+    def data(self, index: QModelIndex | QPersistentModelIndex, _role: int = 0) -> Any:
         return self.rows[index.row()][index.column()]
 
     def set_rows(self, rows: list[Row]) -> None:

@@ -179,11 +179,3 @@ def test_new_file_gets_a_path_when_it_is_saved(tmp_path: Path) -> None:
     save_now(document, document.content, tmp_path / "mine.txt")
     assert document.name == "mine.txt"
     assert "Factory settings" in (tmp_path / "mine.txt").read_text(encoding="utf-8")
-
-
-def test_missing_folder_is_reported_and_the_path_is_unchanged(
-    document: SettingsDocument, rover: Path
-) -> None:
-    with pytest.raises(SettingsError, match="no folder"):
-        save_now(document, document.content, rover.parent / "missing" / "rover.txt")
-    assert document.path == rover

@@ -252,13 +252,11 @@ def test_calibrations_of_the_other_source_stay_saved(
 ) -> None:
     first = run()
     first.edit_calibration()
-    quick_simulator.do("eeprom channel_input_source 1")
-    quick_simulator.do("power cycle")
+    quick_simulator.do("eeprom channel_input_source 1", "power cycle")
     second = run()
     assert second.offered == {}
     second.edit(serial_timeout=15)
-    quick_simulator.do("eeprom channel_input_source 0")
-    quick_simulator.do("power cycle")
+    quick_simulator.do("eeprom channel_input_source 0", "power cycle")
     assert run().offered == {"serial_timeout": 15, RC_2: STICK}
 
 
@@ -288,8 +286,7 @@ def test_discarded_calibration_of_the_other_source_is_deleted(
 ) -> None:
     first = run()
     first.edit_calibration()
-    quick_simulator.do("eeprom channel_input_source 1")
-    quick_simulator.do("power cycle")
+    quick_simulator.do("eeprom channel_input_source 1", "power cycle")
     first.connect()
     assert first.draft.pending == 1
     first.draft.discard_edits()

@@ -8,7 +8,6 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.model.test_device import DeviceRecorder
 from tests.support.matrix import sampled
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Skipped
@@ -72,36 +71,23 @@ class InterruptedApply:
         self.device.connection.progressed.disconnect(on_progressed)
 
     @property
-    def results(self) -> tuple[WriteResult, ...]:
-        """Results of the writes that were reported."""
-        return self.recorder.results[-1] if self.recorder.results else ()
-
-    @property
     def stored(self) -> dict[str, int]:
         parameters: dict[str, int] = self.simulator.show()["parameters"]
         return parameters
 
-    def require_snapshot(self) -> None:
-        """Check that the snapshot has all former values."""
+    def require_consistency(self, *, lost: int) -> None:
+        """Check snapshot and results, and that all but `lost` values are old or new."""
         (snapshot,) = self.device.writer.history.snapshots()
         assert self.device.writer.history.load(snapshot) == self.before
         assert snapshot.reason == f"Apply of {len(EDITS) + 1} settings"
         assert snapshot.adapter
-
-    def require_results(self) -> None:
-        """Check that every setting has a result, and an error if it is not stored."""
-        errors = {result.key: result.error for result in self.results}
+        errors = {result.key: result.error for result in self.recorder.results[-1]}
         assert set(errors) == {*EDITS, f"rc_channel_{CHANNEL}"}
         for key, wire in EDITS.items():
             if errors[key] is None:
                 assert self.stored[key] == wire
             else:
                 assert str(errors[key])
-
-    def require_consistency(self, *, lost: int) -> None:
-        """Check snapshot, results, and that every value except `lost` values is old or new."""
-        self.require_snapshot()
-        self.require_results()
         stored, before = self.stored, self.before.parameters
         unexpected = {key for key in stored if stored[key] not in {before[key], EDITS.get(key)}}
         assert len(unexpected) <= lost
@@ -161,7 +147,7 @@ def test_shutdown_reports_the_results_of_apply(step: int, apply: InterruptedAppl
     assert apply.device.link is ConnectionState.DISCONNECTED
     apply.require_consistency(lost=0)
     apply.require_pending()
-    failures = [result.error for result in apply.results if result.error is not None]
+    failures = [result.error for result in apply.recorder.results[-1] if result.error is not None]
     assert all(isinstance(error, Skipped) for error in failures)
     assert apply.recorder.failures == []
 
