@@ -183,11 +183,9 @@ def test_commands_have_a_number_after_a_scan_finds_two_boards(new_line: NewLine)
 def test_nothing_is_sent_to_several_boards_at_once(new_line: NewLine) -> None:
     harness = new_line("3", "7", "9")
     device = harness.device
-    harness.simulator.do("@3 power off")
-    harness.simulator.do("@9 power off")
+    harness.simulator.do("@3 power off", "@9 power off")
     harness.connect_number(None)
-    harness.simulator.do("@3 power on")
-    harness.simulator.do("@9 power on")
+    harness.simulator.do("@3 power on", "@9 power on")
     harness.boards.scan()
     harness.until(lambda: harness.boards.has_several)
     assert not device.motors.can_arm

@@ -2,7 +2,6 @@
 
 import sys
 from collections.abc import Callable, Iterator
-from functools import partial
 
 import pytest
 from PySide6.QtCore import QSettings
@@ -67,10 +66,6 @@ def test_line_settings_are_saved(setup: ConnectorSetup, qtbot: QtBot, number: in
     assert new_controller(setup.ports).settings == expected
 
 
-def scanner_is_idle(scanner: DeviceScanner) -> bool:
-    return not scanner.running
-
-
 def test_scan_sends_only_to_one_number_on_a_shared_line(
     setup: ConnectorSetup, quick_simulator: VirtualSimulator
 ) -> None:
@@ -80,18 +75,20 @@ def test_scan_sends_only_to_one_number_on_a_shared_line(
     port = setup.ports.add_typed(quick_simulator.url)
     setup.ports.assign(port, "trex", ConnectionSettings("").packed)
     setup.connector.set_settings(shared)
+
+    def sent_by(scanner: DeviceScanner, scanned: Port | None, **options: bool) -> str:
+        sent.clear()
+        scanner.start([scanned or port], **options)
+        setup.until(lambda: not scanner.running)
+        return sent.hex(" ")
+
     for controller in (setup.connector, new_controller(setup.ports)):
         assert controller.settings == shared
         scanner = controller._scanner
-        scanner.start([port], full=True)
-        setup.until(partial(scanner_is_idle, scanner))
-        assert sent == bytes.fromhex("80 07 01")
+        assert sent_by(scanner, port, full=True) == "80 07 01"
         assert "other devices share the line" in scanner.findings[0].text
-        sent.clear()
-        scanner.start([setup.ports.current_entry(port) or port], only_recall=True)  # compact packet
-        setup.until(partial(scanner_is_idle, scanner))
-        assert sent == bytes.fromhex("80 07 01")
-        sent.clear()
+        entry = setup.ports.current_entry(port)  # has the settings of a compact packet
+        assert sent_by(scanner, entry, only_recall=True) == "80 07 01"
 
 
 def test_reserved_numbers_survive_the_selection_of_a_port(setup: ConnectorSetup) -> None:
@@ -344,8 +341,7 @@ def test_failed_write_of_line_settings_retains_candidates(
     PowerCycle(setup.device).start(failed=["uart_settings"])
     quick_simulator.do("power off")
     setup.until_link(ConnectionState.NOT_RESPONDING)
-    quick_simulator.do(f"eeprom uart_settings {NEW.to_wire()}")
-    quick_simulator.do("power on")
+    quick_simulator.do(f"eeprom uart_settings {NEW.to_wire()}", "power on")
     setup.until_link(ConnectionState.CONNECTED)
     assert line_of(setup) == NEW
 

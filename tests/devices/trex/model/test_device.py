@@ -164,9 +164,7 @@ def test_pending_edits_are_reported_if_the_board_may_be_another(
     connected.edit("motor1_acceleration", 5)
     connected.simulator.do("line mute on")
     connected.until_link(ConnectionState.NOT_RESPONDING)
-    connected.simulator.do(f"eeprom motor1_pwm_maximum {maximum}")
-    connected.simulator.do("power cycle")
-    connected.simulator.do("line mute off")
+    connected.simulator.do(f"eeprom motor1_pwm_maximum {maximum}", "power cycle", "line mute off")
     connected.until_link(ConnectionState.CONNECTED)
     assert device.draft.pending == 1
     assert [text for text in texts if "still pending" in text] == texts

@@ -308,8 +308,7 @@ def test_errors_from_before_the_connection_start_no_recording(
     session: RecorderSetup, automatic: AutomaticRecordings
 ) -> None:
     session.disconnect()
-    session.simulator.do("fault 2 on")
-    session.simulator.do("fault 2 off")
+    session.simulator.do("fault 2 on", "fault 2 off")
     session.connect()
     session.until(lambda: any(entry.is_earlier for entry in session.device.board.errors.entries))
     assert not session.device.board.errors.recent(2, now())

@@ -141,8 +141,7 @@ def test_equal_board_at_another_adapter_may_not_be_the_driven_board(
 def test_moved_jumper_does_not_mean_another_board(driven: DrivenBoard) -> None:
     driven.board.do("power off")
     driven.until_link(ConnectionState.NOT_RESPONDING)
-    driven.board.do("jumper mode analog")
-    driven.board.do("power on")
+    driven.board.do("jumper mode analog", "power on")
     driven.until_link(ConnectionState.CONNECTED)
     assert driven.closing_text() == ""
 

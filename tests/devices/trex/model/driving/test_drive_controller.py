@@ -80,8 +80,7 @@ def test_stop_without_outcome_fails_when_the_line_closes(driven: DrivenDevice) -
 
 def test_restarted_board_disarms_the_motors(driven: DrivenDevice) -> None:
     """The changed input source is the only sign of the short restart."""
-    driven.simulator.do("eeprom channel_input_source 1")
-    driven.simulator.do("power cycle")
+    driven.simulator.do("eeprom channel_input_source 1", "power cycle")
     driven.wait(lambda: not driven.motors.armed)
     assert "restarted" in driven.motors.stop_reason
     driven.wait(lambda: not driven.may_move)

@@ -39,8 +39,7 @@ def test_fault_is_shown_only_for_its_motor(
 def test_report_shows_speeds_that_channel_5_overrides(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    rc_board.do("channel 1 1900us")
-    rc_board.do("channel 3 1100us")
+    rc_board.do("channel 1 1900us", "channel 3 1100us")
     rc_board.do("channel 5 1000us")  # lets the serial port control the motors
     qtbot.waitUntil(lambda: "channel 1 at +" in report_text(rc_device, 1))
     assert report_text(rc_device, 2) == "channel 2 at 0 (overridden)"

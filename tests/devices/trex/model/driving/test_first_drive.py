@@ -66,26 +66,20 @@ def test_ceiling_is_low_at_first_and_saved_for_each_board(
         for options in ([], ["--firmware", "1.1"])
     )
     simulated = ConnectionSettings(new.url, name="Demo")
-    motors = device.motors
-    for board in (new, old, simulated):
+    motors, ceilings = device.motors, ((new, 90), (old, 60), (simulated, 80))
+    for board, ceiling in ceilings:
         connect(device, board, qtbot)
         assert motors.ceiling == motors.ceiling_in_force == FIRST_CEILING == 38
         assert motors.is_first_drive
         motors.arm()
         motors.set_speed(1, -FULL_SCALE)
         assert motors.drive(1) == Drive.at(-FIRST_CEILING)
-        motors.set_ceiling(90)
+        motors.set_ceiling(ceiling)
         assert not motors.is_first_drive
-
-    connect(device, old, qtbot)
-    motors.set_ceiling(60)
-    qtbot.waitUntil(device.shut_down)
-    restarted = Device()
-    for board, ceiling in ((new, 90), (old, 60), (simulated, 90)):
-        connect(restarted, board, qtbot)
-        assert restarted.motors.ceiling == ceiling
-        assert not restarted.motors.is_first_drive
-    qtbot.waitUntil(restarted.shut_down)
+    for board, ceiling in ceilings:
+        connect(device, board, qtbot)
+        assert motors.ceiling == ceiling
+        assert not motors.is_first_drive
 
 
 def test_ceiling_of_another_board_is_low_at_first(qtbot: QtBot) -> None:
@@ -105,9 +99,10 @@ def test_ceiling_of_another_board_is_low_at_first(qtbot: QtBot) -> None:
     motors.adapter = "another adapter"
     motors.set_board("second")
     assert motors.ceiling == FIRST_CEILING, "equal boards on two adapters"
-    motors.adapter = ""
-    motors.set_board("second")
-    assert motors.ceiling == FULL_SCALE
+    restarted = Motors()
+    restarted.set_board("second")
+    assert restarted.ceiling == FULL_SCALE
+    assert not restarted.is_first_drive
 
 
 def test_keys_gamepad_and_link_are_off_for_another_board(qtbot: QtBot) -> None:

@@ -77,8 +77,7 @@ def lost(
     options = ("--timeout-needs-shutdown=on", "--error-shutdown=off") if unstopped else ()
     board = start_simulator("--unpaced", *options)
     assert isinstance(board, VirtualSimulator)
-    board.do("eeprom serial_timeout 5")
-    board.do("power cycle")
+    board.do("eeprom serial_timeout 5", "power cycle")
     return LostBoard(controller, board, qtbot, unstopped=unstopped)
 
 

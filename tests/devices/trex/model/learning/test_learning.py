@@ -1,6 +1,6 @@
 """Learning of channels with a simulated board."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import pytest
@@ -60,8 +60,7 @@ class LearningSetup(DeviceSetup):
 
     def restart_in_mode(self, mode: str) -> None:
         """Set the mode jumper and cycle the power."""
-        self.simulator.do(f"jumper mode {mode}")
-        self.simulator.do("power cycle")
+        self.simulator.do(f"jumper mode {mode}", "power cycle")
         self.until(lambda: self.device.state is not None and not self.device.state.mode.is_serial)
 
     def go_to_travel(self, *channels: int) -> None:
@@ -196,8 +195,7 @@ def test_stick_test_fails_in_rc_mode_despite_the_override(setup: LearningSetup) 
 
 
 def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:
-    setup.simulator.do("eeprom motor_mode 1")
-    setup.simulator.do("power off")
+    setup.simulator.do("eeprom motor_mode 1", "power off")
     setup.until_link(ConnectionState.NOT_RESPONDING)
     setup.simulator.do("power on")
     setup.until_link(ConnectionState.CONNECTED)
@@ -264,8 +262,7 @@ def test_review_curves_follow_stick_and_selected_values(setup: LearningSetup) ->
 
 def test_learning_fails_after_a_restart_in_another_mode(setup: LearningSetup) -> None:
     setup.go_to_travel()
-    setup.simulator.do("jumper mode rc")
-    setup.simulator.do("power cycle")
+    setup.simulator.do("jumper mode rc", "power cycle")
     setup.until_step(LearningStep.FAILED)
     assert "Nothing was changed" in setup.learning.problem
 
@@ -459,8 +456,7 @@ def test_failed_test_reports_the_written_values_as_unchanged(
     if cause == "motors":
         setup.device.motors.arm()
     else:
-        setup.simulator.do("jumper mode rc")
-        setup.simulator.do("power cycle")
+        setup.simulator.do("jumper mode rc", "power cycle")
     setup.until_step(LearningStep.FAILED)
     assert "Nothing was changed" not in setup.learning.problem
     assert "The test has ended. Nothing in the board was changed" in setup.learning.problem
@@ -468,20 +464,19 @@ def test_failed_test_reports_the_written_values_as_unchanged(
 
 
 @pytest.mark.parametrize(
-    "step", [LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.REVIEW, LearningStep.TEST]
+    ("step", "go_to"),
+    [
+        (LearningStep.NEUTRAL, lambda setup: setup.learning.start((1,))),
+        (LearningStep.TRAVEL, lambda setup: setup.go_to_travel(1)),
+        (LearningStep.REVIEW, lambda setup: setup.go_to_review(1)),
+        (LearningStep.TEST, lambda setup: setup.learning.start_test((1,))),
+    ],
 )
 def test_restart_after_power_loss_stops_the_motors_again(
-    setup: LearningSetup, step: LearningStep
+    setup: LearningSetup, step: LearningStep, go_to: Callable[[LearningSetup], None]
 ) -> None:
     is_test = step is LearningStep.TEST
-    if is_test:
-        setup.learning.start_test((1,))
-    elif step is LearningStep.REVIEW:
-        setup.go_to_review(1)
-    elif step is LearningStep.TRAVEL:
-        setup.go_to_travel(1)
-    else:
-        setup.learning.start((1,))
+    go_to(setup)
     setup.until_step(step)
     setup.simulator.do("power off")
     setup.until_step(LearningStep.FAILED)

@@ -5,13 +5,12 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.device_setup import DeviceSetup
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.stick_tests import StickTest, StickTests, idle_side
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.ui.devices.connection import ConnectionState
 
 THROTTLE = Calibration(minimum=2600, neutral=2750, maximum=4730, deadband=75)
 """Calibration of a stick that rests at 1100 µs. Only the trim gives lower values."""
@@ -55,19 +54,15 @@ class Sticks:
 @pytest.fixture
 def connect(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable[..., Device]]:
     """Return a function that runs control lines and then connects the device."""
-    device = Device()
+    setup = DeviceSetup(qtbot, quick_simulator)
 
     def connect(*lines: str) -> Device:
-        for line in lines:
-            quick_simulator.do(line)
-        if lines:
-            quick_simulator.do("power cycle")
-        device.connect_to(ConnectionSettings(quick_simulator.url))
-        qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
-        return device
+        quick_simulator.do(*lines, "power cycle")
+        setup.connect()
+        return setup.device
 
     yield connect
-    qtbot.waitUntil(device.shut_down)
+    setup.shut_down()
 
 
 @pytest.fixture
