@@ -295,22 +295,6 @@ def test_value_can_be_typed_in_other_forms(key: str, text: str, wire: int) -> No
 
 
 @pytest.mark.parametrize(
-    ("model", "text", "wire"),
-    [
-        ("trex", "300 mA", 1),
-        ("trex", "4.8 A", 16),
-        ("trex", "off", 0),
-        ("trexjr", "80 mA", 1),
-        ("trexjr", "4,8 A", 60),
-        ("trexjr", "0.3 A", 4),
-    ],
-)
-def test_current_limit_uses_current_unit_of_its_model(model: str, text: str, wire: int) -> None:
-    assert parameter("motor1_current_limit", model).wire(text) == wire
-    assert parameter("motor2_current_limit", model).wire(text) == wire
-
-
-@pytest.mark.parametrize(
     ("key", "text", "limits"),
     [
         ("serial_timeout", "13 s", "12.7 s"),

@@ -351,19 +351,6 @@ def test_served_line_drives_two_boards_together(start_simulator: StartSimulator)
 # --- Users --------------------------------------------------------------------------------
 
 
-def test_user_drives_and_watcher_does_not(user_server: ServerProcess) -> None:
-    with Trex(user_server.url("alice")) as trex:
-        trex.drive(40)
-        trex.wait(0.3)
-        assert motor(user_server.simulator) == ("forward", 40)
-    with Trex(user_server.url("wanda")) as trex:
-        assert trex.status().product == "TReX"
-        trex.drive(40)
-        with pytest.raises(MotorsStoppedError, match="watch"):
-            trex.wait(1)
-    assert motor(user_server.simulator) == STOPPED
-
-
 def test_lease_is_handed_over_taken_and_released(user_server: ServerProcess) -> None:
     with Trex(user_server.url("alice")) as alice, Trex(user_server.url("bob")) as owner:
         alice.request_lease()
@@ -446,6 +433,7 @@ def test_watcher_stops_robot_by_name(user_server: ServerProcess) -> None:
     with Trex(user_server.url("alice")) as trex:
         trex.drive(40)
         trex.wait(0.3)
+        assert motor(user_server.simulator) == ("forward", 40)
         url = user_server.url("wanda")
         assert stop_robots([url]) == {url: ""}
         assert motor(user_server.simulator) == STOPPED

@@ -39,12 +39,9 @@ def test_help_lists_every_control_line() -> None:
 @pytest.mark.parametrize(
     ("text", "signal"),
     [
-        ("1500us", "1500us"),
         ("3750", "1500us"),
         ("Silent", "silent"),
-        ("1500us noise 2us", "1500us noise 2us"),
         ("1500us noise 2us lost 0.1", "1500us noise 2us lost 0.1"),
-        ("1500us lost 1", "1500us lost 1"),
         ("2.5v noise 20mv", "2.5V noise 0.02V"),
     ],
 )
@@ -77,36 +74,40 @@ def test_load_and_current_commands_set_motor_current(line: SimulatedBoards) -> N
     assert show(line)["motors"][0]["current"] == pytest.approx(6, abs=0.3)
 
 
-def test_line_commands_cause_line_faults(line: SimulatedBoards) -> None:
-    for text in ("line mute on", "line drop 3", "line drop 2 sent", "line noise 0.25"):
-        assert control(line, text).startswith("ok")
-    assert (line.faults.mute, line.faults.to_drop, line.faults.to_drop_sent, line.faults.noise) == (
-        True,
-        3,
-        2,
-        0.25,
-    )
-    control(line, "line mute off")
-    control(line, "line drop 0")
-    control(line, "line noise 0")
-    for text in ("line corrupt 4", "line double 5", "line delay 0.5", "line echo on"):
-        assert control(line, text).startswith("ok")
-    assert (line.faults.to_corrupt, line.faults.to_double, line.faults.delay, line.echo) == (
-        4,
-        5,
-        0.5,
-        True,
-    )
-    for text in ("line corrupt 0", "line double 0", "line delay 0", "line echo off"):
-        control(line, text)
+@pytest.mark.parametrize(
+    ("text", "fault", "value"),
+    [
+        *(("mute on", "mute", True), ("unplug", "plugged", False), ("noise 0.25", "noise", 0.25)),
+        *(
+            ("drop 3", "to_drop", 3),
+            ("drop 2 sent", "to_drop_sent", 2),
+            ("delay 0.5", "delay", 0.5),
+        ),
+        *(("corrupt 4", "to_corrupt", 4), ("double 5", "to_double", 5)),
+    ],
+)
+def test_line_command_causes_line_fault(
+    line: SimulatedBoards, text: str, fault: str, value: float
+) -> None:
+    assert control(line, f"line {text}").startswith("ok")
+    assert getattr(line.faults, fault) == value
+
+
+def test_line_commands_end_faults(line: SimulatedBoards) -> None:
+    line.unplug()
+    vars(line.faults).update(mute=True, noise=1.0, to_drop=9, to_corrupt=9, to_double=9, delay=9.0)
+    for fault in ("mute off", "drop 0", "noise 0", "corrupt 0", "double 0", "delay 0", "plug"):
+        assert control(line, f"line {fault}").startswith("ok")
     for text in ("line garbage 00ff", "line garbage 0A 0b"):
         assert control(line, text).startswith("ok 2 bytes")
     line.advance(1)
-    assert len(line.receive()) == 4
-    assert control(line, "line unplug").startswith("ok")
-    assert not line.faults.plugged
-    assert control(line, "line plug").startswith("ok")
-    assert line.faults.plugged
+    assert line.receive() == bytes.fromhex("00 FF 0A 0B")
+
+
+def test_line_echo_command_switches_echo(line: SimulatedBoards) -> None:
+    for text, echo in (("on", True), ("off", False)):
+        assert control(line, f"line echo {text}").startswith("ok")
+        assert line.echo is echo
 
 
 def test_battery_command_sets_voltage_and_resistance(line: SimulatedBoards) -> None:
