@@ -2,7 +2,6 @@
 
 import threading
 from collections.abc import Iterator
-from dataclasses import replace
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -10,9 +9,6 @@ from pytestqt.qtbot import QtBot
 from tests.support.program import new_controller, new_ports, scanner_of
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.core.discovery.prober import Prober, ProberInfo
-from trex_gui.core.plugin import Lazy
-from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -153,30 +149,3 @@ def test_simulated_board_can_be_found_and_connected(qtbot: QtBot) -> None:
     assert device.settings is not None
     assert device.settings.line == LineSettings()
     connector.shut_down()
-
-
-# --- Internal errors --------------------------------------------------------------------
-
-
-def _create_faulty_prober(settings: PortSettings, *, full: bool, known: bool) -> Prober:
-    raise ZeroDivisionError("on purpose")
-
-
-FAULTY = ProberInfo("Faulty", _create_faulty_prober)
-
-
-@pytest.fixture
-def faulty_scanner(qtbot: QtBot) -> DeviceScanner:
-    plugin = replace(TREX, key="faulty", name="Faulty", prober=Lazy(f"{__name__}:FAULTY"))
-    return DeviceScanner([TREX, plugin])
-
-
-def test_internal_error_is_listed_and_the_scan_continues(
-    faulty_scanner: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
-) -> None:
-    faulty_scanner.start([typed_port(quick_simulator.url), typed_port("/dev/ttyNothing9")])
-    qtbot.waitUntil(lambda: not faulty_scanner.running)
-    first, second = faulty_scanner.findings
-    assert "(ZeroDivisionError: on purpose)" in first.text
-    assert second.text.startswith("There is no port /dev/ttyNothing9.")
-    assert faulty_scanner.summary == "No board was found."
