@@ -76,13 +76,3 @@ def test_interrupted_export_retains_the_old_file(panel: TracePanel, tmp_path: Pa
     end_background(0)
     assert path.read_text() == "old content"
     assert list(tmp_path.iterdir()) == [path]
-
-
-def test_export_leaves_only_the_complete_file(
-    panel: TracePanel, tmp_path: Path, qtbot: QtBot
-) -> None:
-    path = tmp_path / "part.csv"
-    with qtbot.waitSignal(panel.notifier.info):
-        panel.export.save_table(path, 0.0, 10.0)
-    assert sum(line[:1].isdigit() for line in path.read_text().splitlines()) == 801
-    assert list(tmp_path.iterdir()) == [path]

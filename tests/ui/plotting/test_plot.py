@@ -153,17 +153,6 @@ def drag(plot: TracePlot, times: tuple[float, float], modifiers: Qt.KeyboardModi
 # --- Curves -----------------------------------------------------------------------------
 
 
-def test_drawn_points_are_limited_in_a_long_history(plot: TracePlot) -> None:
-    long = Source(seconds=0)
-    for _ in range(10):
-        long.add(1250)  # a million samples in total
-    plot.set_source(long)
-    for length in (10, 60, 600, 3600, 12_500):
-        plot.select_length(length)
-        for name in plot.shown:
-            assert 0 < len(plot._shapes[name][0].item.getData()[0]) <= 1100, length
-
-
 def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: TracePlot) -> None:
     view = panel.table
     index = view.model().index(2, TraceColumn.CURVE)

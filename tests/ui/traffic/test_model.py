@@ -150,16 +150,3 @@ def test_saved_rows_include_bytes_and_meaning(
     ]  # fmt: skip
     assert body[2][1:] == ["!", "8F", "", "", "get currents of both motors → no reply"]
     assert len(body) == 4
-
-
-def test_failed_save_is_reported_and_creates_no_file(
-    harness: TrafficHarness, qtbot: QtBot, tmp_path: Path
-) -> None:
-    harness.log(WRITE, STORED)
-    harness.traffic.pull()
-    notifier, path = Notifier(), tmp_path / "no such folder" / "line.txt"
-    write = partial(harness.traffic.write, rows=harness.traffic.everything.rows)
-    with qtbot.waitSignal(notifier.error) as failed:
-        write_in_background(notifier, path, write, notifier, str)
-    assert failed.args == ["line.txt: The file cannot be written: No such file or directory."]
-    assert list(tmp_path.iterdir()) == []
