@@ -187,16 +187,6 @@ def test_changed_python_or_folder_requires_a_new_environment(earlier: Any) -> No
     assert not STAMP.can_keep_venv(earlier)
 
 
-def test_stamp_changes_with_constraints(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    constraints = tmp_path / "constraints.txt"
-    monkeypatch.setattr(bootstrap, "CONSTRAINTS", constraints)
-    constraints.write_text("numpy==2.4.6\n", encoding="utf-8")
-    before = bootstrap.current_stamp()
-    assert bootstrap.current_stamp() == before
-    constraints.write_text("numpy==2.4.5\n", encoding="utf-8")
-    assert bootstrap.current_stamp() != before
-
-
 class Project:
     """Project in a temporary folder. Its set-up only counts the installations."""
 
