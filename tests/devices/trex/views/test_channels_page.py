@@ -146,6 +146,7 @@ def test_live_dot_follows_the_stick(page: ChannelsDriver, quick_simulator: Simul
     assert page.plot.dot == (4500, remapped)
     assert f"output {signed_text(remapped)}" in page.live
     assert page.input(1).startswith(page.live)
+    page.wait(lambda: "drives motor 1 (the mix jumper is off)" in page.text("channelDoes"))
     quick_simulator.do("channel 4 1000us")  # a flip channel has no output
     page.wait(lambda: "1000 µs" in page.input(4))
     assert page.input(1).startswith(page.live)
@@ -208,18 +209,6 @@ def test_arrow_keys_select_a_strip_for_screen_readers(page: ChannelsDriver) -> N
 
 
 # --- Effects of a channel ---------------------------------------------------------------
-
-
-def test_card_describes_the_channel_in_the_current_mode(
-    page: ChannelsDriver, quick_simulator: SimulatedDevice
-) -> None:
-    assert page.text("pageState").startswith("Inputs are read as RC pulses. In serial mode")
-    quick_simulator.do("channel 1 1800us")
-    page.wait(lambda: "drives motor 1 (the mix jumper is off)" in page.text("channelDoes"))
-    page.restart(quick_simulator, "jumper mode analog", "eeprom ignored_channels 8")
-    assert page.text("pageState").startswith("Inputs are read as analog voltages. They control")
-    page.select_channel(4)
-    assert page.text("channelDoes").endswith("ignored: it stays off, whatever its input.")
 
 
 def test_override_switch_changes_the_texts_at_once(

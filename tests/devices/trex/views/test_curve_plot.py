@@ -178,17 +178,6 @@ def test_nearby_handles_are_distinguished_by_height(driver: CurvePlotDriver) -> 
     assert edited[1].deadband > 200
 
 
-def test_axis_widens_for_the_calibration(plot: CurvePlot) -> None:
-    assert plot.axis == (2000, 5500)
-    wide = ChannelCurve(Calibration(1500, 3750, 6000, 75))
-    plot.show_channel(1, InputSource.RC, CURVE, wide, editable=True)
-    assert plot.axis[0] < 1500
-    assert plot.axis[1] > 6000
-    plot.show_channel(1, InputSource.ANALOG, None, None, editable=False)
-    assert plot.axis == (0, 1023)
-    plot.grab()
-
-
 def test_names_and_minimum_heights_follow_the_font_size(plot: CurvePlot) -> None:
     before = plot.minimumSizeHint().height(), plot.handles.height_above()
     theme().set_font_size(150)

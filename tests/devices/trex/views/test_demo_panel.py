@@ -1,6 +1,5 @@
 """Demo panel: texts, LEDs, sliders and visibility."""
 
-import sys
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -13,7 +12,6 @@ from pytestqt.qtbot import QtBot
 from tests.support.catalogs import in_language
 from tests.support.mouse import turn_wheel
 from tests.support.program import trex
-from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
 from trex_gui.devices.trex.driving.board_reasons import LED_TEXTS, PACKETS
@@ -143,22 +141,6 @@ def test_lit_led_differs_without_colour(qtbot: QtBot, qapp: QApplication, scheme
     assert pictures[0] != pictures[1]
     assert pictures[1][0] != pictures[1][1], "a lit LED has a glint"
     assert pictures[0][0] == pictures[0][1]
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="closeEvent of native windows differs")
-def test_hidden_leds_do_not_blink(qtbot: QtBot, virtual_time: VirtualRuntime) -> None:
-    leds = Leds()
-    qtbot.addWidget(leds)
-    leds.show_patterns(("off", "blink 4/s"))
-    with qtbot.waitExposed(leds):
-        leds.show()
-    green = leds.lamps[1]
-    qtbot.waitUntil(lambda: green.lit)
-    leds.hide()
-    lit = green.lit
-    for _ in range(10):
-        virtual_time.advance(0.06)
-        assert green.lit is lit
 
 
 # --- Slider and note --------------------------------------------------------------------

@@ -130,25 +130,6 @@ def test_each_parameter_accepts_its_extreme_values(
     assert not parameters.rejected
 
 
-@on_each_board
-def test_each_number_out_of_range_is_rejected_with_its_limits(
-    qtbot: QtBot, model_key: str, firmware: str
-) -> None:
-    parameters = ParametersDriver(qtbot)
-    parameters.load(parameters_of(model_key, firmware))
-    without_numbers = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
-    for spec in new_parameters(model_key, firmware):
-        if spec.kind not in without_numbers:
-            type_number(parameters.open_with_mouse(spec.key), "99999")
-            assert parameters.is_editing(spec.key)
-            is_ramp = spec.kind is ParameterKind.ACCELERATION
-            largest = "12.7 s" if is_ramp else spec.text(spec.maximum)
-            assert largest in parameters.rejected[-1]
-            assert spec.name in parameters.rejected[-1]
-            parameters.close_editor(spec.key)
-            assert not parameters.model.values.pending
-
-
 def test_rejected_input_is_marked_until_it_is_valid(parameters: ParametersDriver) -> None:
     editor = parameters.open_with_mouse("serial_timeout")
     assert isinstance(editor, UnitSpinBox)

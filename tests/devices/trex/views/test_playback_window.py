@@ -4,7 +4,7 @@ import csv
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QLocale, Qt, QThread
+from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QAccessible, QAction, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -18,14 +18,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 from pytestqt.qtbot import QtBot
-from shiboken6 import isValid
 
 from tests.devices.trex.recording.samples import (
     HEADER,
     drive_records,
     open_recording,
     write,
-    write_long_recording,
 )
 from tests.support.playing import loading
 from tests.support.window import WidgetDriver
@@ -194,36 +192,14 @@ def test_loaded_window_is_complete_and_plays(window: RecordingWindow) -> None:
     assert button.text() == "&Play"
 
 
-def open_partly_read(path: Path, qtbot: QtBot) -> RecordingWindow:
-    """Return a window that has read a part of its recording.
-
-    Opens the recording again if a busy computer has already read all of it.
-    """
-    for _ in range(4):
-        window = RecordingWindow.open(loading(Playback(open_recording(path))), qtbot)
-        assert not window.is_enabled("exportSpanButton")
-        assert not window.is_enabled("pictureButton")
-        bar = window.find(QProgressBar, "recordingProgress")
-        window.wait(lambda: bar.value() > 0 or window.playback.is_loaded)  # noqa: B023
-        if not window.playback.is_loaded:
-            return window
-        window.window.close()
-    raise AssertionError(path)
-
-
-@pytest.mark.realtime
-def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBot) -> None:
-    path = tmp_path / "long.trexrec"
-    write_long_recording(path, 5)
-    window = open_partly_read(path, qtbot)
-    assert window.has("recordingProgress")
-    bar = window.find(QProgressBar, "recordingProgress")
-    assert bar.text().startswith("Reading, ")
-    assert not window.playback.is_loaded
-    (thread,) = window.playback.findChildren(QThread)
+def test_reading_shows_progress_and_can_be_cancelled(minute: Path, qtbot: QtBot) -> None:
+    """In virtual time, the reading begins only when the test waits."""
+    window = RecordingWindow.open(loading(Playback(open_recording(minute))), qtbot)
+    assert not window.is_enabled("exportSpanButton")
+    assert not window.is_enabled("pictureButton")
+    assert window.find(QProgressBar, "recordingProgress").text().startswith("Reading, ")
     with qtbot.waitSignal(window.window.closed):
         window.click("cancelRecordingButton")
-    window.wait(lambda: not isValid(thread) or thread.isFinished())
     assert not window.playback.is_loaded
 
 
