@@ -1,8 +1,8 @@
-"""Driving of a simulated board with mouse, keys, finger and an SDL gamepad."""
+"""Driving of a simulated board with mouse, keys and an SDL gamepad."""
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QKeyEvent, QPointingDevice
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QMenu, QSlider, QSpinBox, QTableView
 
@@ -309,15 +309,6 @@ def test_pad_drives_while_held(armed: MotorsPage) -> None:
     assert armed.is_armed()
     assert "At rest" in spoken_state(armed.pad)
 
-    finger = QTest.createTouchDevice()
-    assert isinstance(finger, QPointingDevice)
-    pad, edge = armed.pad, armed.place_in_pad(1, 0)
-    QTest.touchEvent(pad, finger).press(0, pad.rect().center(), pad).commit()
-    QTest.touchEvent(pad, finger).move(0, edge, pad).commit()
-    armed.wait_for_targets(FORWARD, FORWARD, "finger")
-    QTest.touchEvent(pad, finger).release(0, edge, pad).commit()
-    armed.wait_for_brake("finger")
-
     armed.hold_pad(1, 0)
     armed.wait_for_targets(FORWARD, None)
     menu = QMenu(armed.window)
@@ -357,13 +348,6 @@ def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     armed.release_key(Qt.Key.Key_Up)
     armed.wait_for_brake()
     assert armed.is_armed()
-    armed.press_key(Qt.Key.Key_W)
-    armed.press_key(Qt.Key.Key_D)
-    armed.wait_for_targets(*CURVE)
-    armed.release_key(Qt.Key.Key_W)
-    armed.wait_for_targets(FORWARD, BACK)
-    armed.release_key(Qt.Key.Key_D)
-    armed.wait_for_brake()
     armed.find(QSlider, "motor1Slider").setFocus()
     armed.press_key(Qt.Key.Key_Right)
     armed.wait_for_targets(FORWARD, BACK, "a slider does not take the arrow keys")

@@ -313,15 +313,3 @@ def test_aracna_windows_are_translated_uncut_and_work_by_keyboard(
     report(findings)
     assert presser.failed == []
     assert len(presser.pressed) >= 50
-
-
-def test_repeated_enter_does_not_reset_the_board(connected_window: WindowDriver) -> None:
-    connected_window.trigger("defaults")
-    dialog = connected_window.dialog("reviewDialog")
-    dialog.root.activateWindow()
-    dialog.button("boardResetButton").setFocus()
-    for _ in range(2):
-        QTest.keyClick(dialog.root.windowHandle(), ENTER)
-    assert not dialog.has("boardResetSureButton"), "the second Enter cancels"
-    assert not connected_window.device.writer.running
-    assert not connected_window.device.draft.reset_pending

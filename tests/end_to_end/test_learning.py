@@ -8,18 +8,14 @@ from collections.abc import Callable
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QSpinBox
+from PySide6.QtWidgets import QDialog
 
 from tests.support.keyboard import check_keyboard
-from tests.support.pages.channels import ChannelsDriver
 from tests.support.pages.learning import LearningDialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.calibration_moves import Handle
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
-from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
+from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.steps import Steps
 
 
@@ -29,16 +25,6 @@ def learning(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -
     dialog = window.dialog("learnDialog").root
     assert isinstance(dialog, Steps)
     return LearningDialog(dialog, window.device, quick_simulator, window.qtbot)
-
-
-def start_in(learning: LearningDialog, mode: str) -> None:
-    """Set the mode jumper, power-cycle the board, and wait until the mode is read."""
-    device, simulator = learning.device, learning.simulator
-    simulator.do(f"jumper mode {mode}")
-    simulator.do("power cycle")
-    is_serial = mode == "serial"
-    learning.wait(lambda: device.state is not None and device.state.mode.is_serial is is_serial)
-    learning.wait(lambda: device.board.serial_controls is is_serial)
 
 
 def test_all_channels_are_learned_and_tested(
@@ -93,37 +79,6 @@ def test_all_channels_are_learned_and_tested(
     assert not learning.dialog.isVisible()
 
 
-def test_safe_start_and_auxiliary_follow_the_learned_rest_positions(
-    connected_window: WindowDriver, learning: LearningDialog
-) -> None:
-    """With these sticks and default calibrations, safe-start would never end."""
-    show = learning.simulator.show
-    learning.use({1: Stick(rest=1600), 2: Stick(rest=1420), 3: Stick(rest=1100, low=1100)})
-    start_in(learning, "rc")
-    learning.hold()
-    assert show()["safe_start"] is True
-    start_in(learning, "serial")
-    learning.go_to_review(1, 2, 3)
-    learning.click("learnNextButton")
-    connected_window.click("writeButton")
-    learning.wait_for_text("learnSafeStart", "would release the motors")
-    learning.click("learnCloseButton")
-
-    learning.transmitter.put(1, 0.5)
-    start_in(learning, "rc")
-    learning.hold()
-    assert show()["safe_start"] is True
-    learning.transmitter.release()
-    learning.wait(lambda: show()["safe_start"] is False)
-    assert show()["aux"]["speed"] == 0
-
-    # A lowered throttle trim does not drive the auxiliary at full speed.
-    for offset, max_speed in ((60, 10), (100, 25)):
-        learning.simulator.do(f"channel 3 {1100 - offset}us")
-        learning.hold()
-        assert 0 < show()["aux"]["speed"] <= max_speed
-
-
 def test_learned_values_remain_when_the_dialog_is_reopened(
     connected_window: WindowDriver, learning: LearningDialog
 ) -> None:
@@ -140,44 +95,3 @@ def test_learned_values_remain_when_the_dialog_is_reopened(
         learning.hold()
         assert learning.has("learnReviewPage"), name
     learning.assert_nothing_changed()
-
-
-FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
-
-
-@pytest.fixture
-def page(window: WindowDriver) -> ChannelsDriver:
-    window.open_page("channelsPage")
-    widget = window.find(ChannelsPage, "channelsPage")
-    return ChannelsDriver(widget, window.device, window.qtbot)
-
-
-def test_calibration_is_dragged_undone_and_written(
-    window: WindowDriver, page: ChannelsDriver, quick_simulator: SimulatedDevice
-) -> None:
-    window.window.resize(1300, 800)
-    assert "Connect to a board" in page.text("pageState")
-    assert not page.is_enabled("learnButton")
-    window.connect(quick_simulator.url)
-    assert page.text("learnedLabel") == "factory calibration"
-
-    undo = window.device.draft.undo
-    page.drag_handle(Handle.MINIMUM, 2300)
-    edited = page.shown()
-    assert edited != FACTORY
-    assert undo.count() == 1
-    undo.undo()
-    assert page.shown() == FACTORY
-    undo.redo()
-    assert page.shown() == edited
-    assert page.find(QSpinBox, "minimumEdit").value() == edited.minimum
-    assert "edited" in page.input(1)
-    assert window.device.calibrations.stored(1) == FACTORY
-
-    window.click("applyButton")
-    window.click("writeButton")
-    window.wait(lambda: not window.device.writer.running)
-    assert window.device.calibrations.stored(1) == edited
-    assert window.device.draft.pending == 0
-    assert "edited" not in page.input(1)
-    assert page.text("learnedLabel") == "learned"

@@ -53,16 +53,6 @@ def test_panel_shows_each_wiring_while_nothing_is_connected(window: WindowDriver
         assert jumpers in sketch.spoken_state()
 
 
-def test_new_user_turns_a_motor_with_four_clicks(window: WindowDriver) -> None:
-    window.click("startDemo")
-    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    window.open_page("motorsPage")
-    window.click("runButton")
-    window.wait(lambda: window.is_enabled("motor1Slider"))
-    window.drag("motor1Slider", 30, release=False)
-    window.wait(lambda: "motor 1 +" in window.motors.text)
-
-
 def test_plugged_in_port_is_offered_and_connected(
     computer: list[ListPortInfo], window: WindowDriver, simulator: SimulatedDevice
 ) -> None:

@@ -118,6 +118,18 @@ def test_typed_number_remains_when_the_line_becomes_noisy(
     assert field.text() == "110"
 
 
+def test_dragged_calibration_is_written_and_shown_as_learned(page: ChannelsDriver) -> None:
+    assert page.text("learnedLabel") == "factory calibration"
+    page.drag_handle(Handle.MINIMUM, 2300)
+    edited = page.shown()
+    assert edited != FACTORY
+    assert page.find(QSpinBox, "minimumEdit").value() == edited.minimum
+    assert page.device.calibrations.stored(1) == FACTORY
+    page.apply()
+    assert page.device.calibrations.stored(1) == edited
+    assert page.text("learnedLabel") == "learned"
+
+
 # --- Disconnected page ------------------------------------------------------------------
 
 
