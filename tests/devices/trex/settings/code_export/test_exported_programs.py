@@ -8,7 +8,8 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -22,7 +23,6 @@ from tests.devices.trex.settings.code_export.programs import (
     Boards,
     Program,
     compile_,
-    every_language,
     export_to_file,
     interactive_program,
     link,
@@ -41,6 +41,20 @@ pytestmark = pytest.mark.realtime
 
 if sys.platform == "win32":
     pytest.skip("Windows has no pseudo-terminals", allow_module_level=True)
+
+
+Prepare = Callable[..., Program]
+
+
+@pytest.fixture(params=list(Language), ids=lambda language: language.value)
+def language(request: pytest.FixtureRequest) -> Language:
+    return Language(request.param)
+
+
+@pytest.fixture
+def prepare(language: Language, tmp_path: Path) -> Prepare:
+    """Export settings for a connection in each language, and compile the program."""
+    return partial(prepared_program, tmp_path, language=language)
 
 
 @pytest.fixture(scope="module")
@@ -86,13 +100,12 @@ def check_that_ctrl_c_stops_motors(program: Program, board: Board) -> None:
     ("expanded", "crc", "model"),
     sampled(itertools.product((True, False), (True, False), ("trex", "trexjr")), every=8),
 )
-@every_language
 def test_program_applies_settings_once_and_sends_all_commands(
-    language: Language, expanded: bool, crc: bool, model: str, boards: Boards, tmp_path: Path
+    expanded: bool, crc: bool, model: str, boards: Boards, prepare: Prepare
 ) -> None:
     line = link(expanded=expanded, crc=crc)
     settings = settings_for(line, model)
-    program = prepared_program(tmp_path, settings, line, language)
+    program = prepare(settings, line)
     board = boards.board(line, model)
 
     process = program.run(board.url)
@@ -137,14 +150,13 @@ def test_program_applies_settings_once_and_sends_all_commands(
     assert board.errors == 0
 
 
-@every_language
 def test_demonstration_drives_slowly_and_ends_with_stop(
-    language: Language, boards: Boards, tmp_path: Path
+    language: Language, boards: Boards, prepare: Prepare
 ) -> None:
     line = link(expanded=True, crc=True)
     board = boards.board(line)
     settings = settings_for(line)
-    program = prepared_program(tmp_path, settings, line, language, drive=True)
+    program = prepare(settings, line, drive=True)
     speeds, output = run_demonstration(program, board)
     assert board.has(settings)
     assert {(20, 0), (0, 20)} <= speeds
@@ -158,13 +170,10 @@ def test_demonstration_drives_slowly_and_ends_with_stop(
 
 
 @pytest.mark.slow
-@every_language
-def test_program_moves_no_motor_by_default(
-    language: Language, boards: Boards, tmp_path: Path
-) -> None:
+def test_program_moves_no_motor_by_default(boards: Boards, prepare: Prepare) -> None:
     board = boards.board(link())
     settings = settings_for(link())
-    program = prepared_program(tmp_path, settings, link(), language)
+    program = prepare(settings, link())
     before = board.show()["motors"]
     process = program.run(board.url)
     assert process.returncode == 0, process.stdout
@@ -176,12 +185,9 @@ def test_program_moves_no_motor_by_default(
 
 
 @pytest.mark.slow
-@every_language
-def test_currents_and_faults_can_be_read(
-    language: Language, boards: Boards, tmp_path: Path
-) -> None:
+def test_currents_and_faults_can_be_read(boards: Boards, prepare: Prepare) -> None:
     board = boards.board(link(), "trexjr")
-    program = prepared_program(tmp_path, settings_for(link(), "trexjr"), link(), language)
+    program = prepare(settings_for(link(), "trexjr"), link())
     board.do("current 1 2.4", "current 2 9.92", "fault 1 on")
     with interactive_program(program, board.url) as trex:
         deadline = time.monotonic() + 30
@@ -200,21 +206,14 @@ def test_currents_and_faults_can_be_read(
         ("trex", "trex", "rc", ["not in serial mode", "mode jumper"]),
     ],
 )
-@every_language
 def test_unsuitable_board_is_neither_written_nor_driven(
-    language: Language,
-    exported: str,
-    connected: str,
-    mode: str,
-    words: list[str],
-    boards: Boards,
-    tmp_path: Path,
+    exported: str, connected: str, mode: str, words: list[str], boards: Boards, prepare: Prepare
 ) -> None:
     line = link(crc=True)
     board = boards.board(line, connected)
     board.do(f"jumper mode {mode}", "power cycle")
     settings = settings_for(line, exported)
-    program = prepared_program(tmp_path, settings, line, language, drive=True)
+    program = prepare(settings, line, drive=True)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     assert all(text in process.stdout for text in words)
@@ -225,9 +224,8 @@ def test_unsuitable_board_is_neither_written_nor_driven(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("cause", ["silent", "other framing", "other number"])
-@every_language
 def test_missing_reply_is_reported_with_line_settings(
-    language: Language, cause: str, boards: Boards, tmp_path: Path
+    cause: str, boards: Boards, prepare: Prepare
 ) -> None:
     line = link(expanded=True, crc=True)
     board = boards.board(
@@ -239,7 +237,7 @@ def test_missing_reply_is_reported_with_line_settings(
     )
     if cause == "silent":
         board.do("line mute on")
-    program = prepared_program(tmp_path, settings_for(line), line, language, drive=True, timeout=1)
+    program = prepare(settings_for(line), line, drive=True, timeout=1)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     assert "No board responds" in process.stdout
@@ -248,11 +246,12 @@ def test_missing_reply_is_reported_with_line_settings(
 
 
 @pytest.mark.slow
-@every_language
-def test_unsupported_parameter_is_named(language: Language, boards: Boards, tmp_path: Path) -> None:
+def test_unsupported_parameter_is_named(
+    language: Language, boards: Boards, prepare: Prepare
+) -> None:
     board = boards.board(link(), "trex", "--unpaced", "--firmware", "1.0")
     settings = settings_for(link())
-    program = prepared_program(tmp_path, settings, link(), language, drive=True, timeout=3)
+    program = prepare(settings, link(), drive=True, timeout=3)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     name = "0x17" if language is Language.ARDUINO else "Enable UART Response Delay"
@@ -262,13 +261,10 @@ def test_unsupported_parameter_is_named(language: Language, boards: Boards, tmp_
 
 
 @pytest.mark.slow
-@every_language
-def test_program_continues_with_new_device_number(
-    language: Language, boards: Boards, tmp_path: Path
-) -> None:
+def test_program_continues_with_new_device_number(boards: Boards, prepare: Prepare) -> None:
     line = link(expanded=True)
     settings = settings_for(line, device_number=42)
-    program = prepared_program(tmp_path, settings, line, language, timeout=3)
+    program = prepare(settings, line, timeout=3)
     board = boards.board(line)
     for writes in (True, False):
         process = program.run(board.url)
@@ -278,15 +274,14 @@ def test_program_continues_with_new_device_number(
 
 
 @pytest.mark.slow
-@every_language
 def test_calibration_for_other_input_is_reported_as_skipped(
-    language: Language, boards: Boards, tmp_path: Path
+    boards: Boards, prepare: Prepare
 ) -> None:
     full = settings_for(link())
     analog = {CalibrationKey.ANALOG_CHANNEL_3: CALIBRATIONS[CalibrationKey.RC_CHANNEL_2]}
     settings = Settings(full.product, full.firmware, calibrations=analog)
     board = boards.board(link())
-    program = prepared_program(tmp_path, settings, link(), language)
+    program = prepare(settings, link())
     process = program.run(board.url)
     assert process.returncode == 0, process.stdout
     assert "channel 3: skipped" in process.stdout
@@ -294,12 +289,9 @@ def test_calibration_for_other_input_is_reported_as_skipped(
 
 
 @pytest.mark.slow
-@every_language
-def test_board_that_stops_replying_is_reported(
-    language: Language, boards: Boards, tmp_path: Path
-) -> None:
+def test_board_that_stops_replying_is_reported(boards: Boards, prepare: Prepare) -> None:
     board = boards.board(link())
-    program = prepared_program(tmp_path, settings_for(link()), link(), language, timeout=3)
+    program = prepare(settings_for(link()), link(), timeout=3)
     with interactive_program(program, board.url) as trex:
         assert "serial mode" in trex.do("check")[0]
         board.do("line mute on")
@@ -322,13 +314,10 @@ def test_echo_is_not_read_as_reply(boards: Boards, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@every_language
-def test_baud_rate_and_stop_bits_are_set_on_port(
-    language: Language, boards: Boards, tmp_path: Path
-) -> None:
+def test_baud_rate_and_stop_bits_are_set_on_port(boards: Boards, prepare: Prepare) -> None:
     line = link(baud=57600, stop_bits=2)
     board = boards.board(line)
-    program = prepared_program(tmp_path, settings_for(line), line, language)
+    program = prepare(settings_for(line), line)
     process = program.run(board.url)
     assert process.returncode == 0, process.stdout
     assert board.errors == 0
