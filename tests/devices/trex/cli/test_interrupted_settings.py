@@ -11,7 +11,6 @@ from tests.devices.trex.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
-from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
@@ -39,14 +38,12 @@ def changed_settings(before: Settings) -> Settings:
         for spec in SPECS.readable
         if spec.key not in {"uart_settings", "crc7_polynomial", "device_number"}
     }
-    keys = {CalibrationKey.of(InputSource.RC, channel) for channel in CHANNELS[:2]}
+    keys = {CalibrationKey.RC_CHANNEL_1, CalibrationKey.RC_CHANNEL_2}
+    calibrations = dict.fromkeys(keys, Calibration(2400, 3700, 5100, 60))
     return replace(
         before,
         parameters={**before.parameters, **values},
-        calibrations={
-            **before.calibrations,
-            **dict.fromkeys(keys, Calibration(2400, 3700, 5100, 60)),
-        },
+        calibrations={**before.calibrations, **calibrations},
     )
 
 

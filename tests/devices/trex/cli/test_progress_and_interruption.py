@@ -9,13 +9,9 @@ import pytest
 from trex_gui.core.cli import Interruption, ProgressLine
 
 
-class Terminal(io.StringIO):
-    def isatty(self) -> bool:
-        return True
-
-
 def test_progress_uses_one_line_and_clears_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    terminal = Terminal()
+    terminal = io.StringIO()
+    monkeypatch.setattr(terminal, "isatty", lambda: True)
     monkeypatch.setattr(sys, "stderr", terminal)
     with ProgressLine("Writing") as line:
         line(1, 4, "Serial Timeout")
