@@ -64,13 +64,15 @@ def test_first_row_describes_robot_and_start_time(folder: Path) -> None:
 
 
 def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
-    _, speeds, goals, progress, moved, silent = rows(
+    _, speeds, goals, progress, moved, later, unread, silent = rows(
         folder,
         SpeedsHeld(100.5, (100, 200), (100, 200)),
         Moving(101.0, (512, 0), (None, None), 2.0),
         Progress(102.0, (510,)),
         Moved(103.0, (512, 0), (510, 1), 2.0),
-        NotResponding(104.0),
+        Progress(104.0, (300,)),
+        Moved(105.0, (512, 6), (5, -1), 1.0),
+        NotResponding(106.0),
     )
     assert (speeds["time_s"], speeds["sample"]) == ("0.500000", "speeds")
     assert speeds["motor_1_speed_units"] == "200"
@@ -81,22 +83,11 @@ def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
     assert progress["motor_1_present_units"] == ""
     assert moved["motor_1_present_units"] == "1"
     assert moved["motor_0_speed_units"] == "100"
+    assert (later["motor_0_present_units"], later["motor_1_present_units"]) == ("300", "1")
+    assert unread["motor_0_present_units"] == "5"
+    assert unread["motor_1_present_units"] == unread["motor_1_present_deg"] == ""
     assert silent["motor_0_goal_units"] == "512"
     assert silent["motor_1_present_units"] == silent["motor_0_speed_units"] == ""
-
-
-def test_partial_reply_keeps_positions_and_unreadable_position_is_empty(
-    folder: Path,
-) -> None:
-    _, _, progress, moved = rows(
-        folder,
-        Moved(103.0, (512, 0), (510, 1), 2.0),
-        Progress(104.0, (300,)),
-        Moved(105.0, (5, 6), (5, -1), 1.0),
-    )
-    assert (progress["motor_0_present_units"], progress["motor_1_present_units"]) == ("300", "1")
-    assert moved["motor_0_present_units"] == "5"
-    assert moved["motor_1_present_units"] == moved["motor_1_present_deg"] == ""
 
 
 def test_steps_and_markers_are_exported(folder: Path) -> None:

@@ -55,18 +55,6 @@ def test_text_in_other_encoding_is_reported_with_its_line(tmp_path: Path, mark: 
     assert first.line == 2
 
 
-@pytest.mark.parametrize("line", ["Pose=:1, 2, 3, 4, 5, 6, 7, 8", "Pose= :1, 2", "Seq=: a|500"])
-def test_unnamed_items_are_kept_but_not_used(line: str) -> None:
-    text = f"{HEADER}Pose=a:{EIGHT}\n{line}\n"
-    project, [finding] = read_ppr(text)
-    assert (finding.line, finding.severity) == (3, Severity.ERROR)
-    assert "name" in finding.message
-    assert "kept, but not used" in finding.message
-    assert [pose.name for pose in project.poses] == ["a"]
-    assert project.sequences == ()
-    assert write_ppr(project) == text
-
-
 def test_poses_sequences_and_robot_are_read() -> None:
     project, findings = read_ppr(AS_PYPOSE_WRITES.replace(", p3|1", ""))
     assert findings == ()
@@ -123,6 +111,9 @@ def test_undefined_poses_are_reported_with_line() -> None:
     ("line", "message"),
     [
         ("just words", "no colon"),
+        (f"Pose=:{EIGHT}", "a pose needs a name"),
+        ("Pose= :1, 2", "a pose needs a name"),
+        ("Seq=: a|500", "a sequence needs a name"),
         ("Seq=no colon", "colon"),
         ("Pose=a:1, two, 3", "'two' (motor 1)"),
         ("Pose=a:1, 1024", "'1024' (motor 1)"),
@@ -145,6 +136,7 @@ def test_invalid_line_is_reported_with_number_and_kept(line: str, message: str) 
     [finding] = findings
     assert (finding.line, finding.severity) == (3, Severity.ERROR)
     assert message in finding.message
+    assert "kept, but not used" in finding.message
     assert write_ppr(project) == text
 
 
