@@ -127,6 +127,11 @@ class WidgetDriver:
 
     # --- Operate ------------------------------------------------------------------------
 
+    def activate(self) -> None:
+        """Bring the window to the front."""
+        self.root.activateWindow()
+        self.wait(self.root.isActiveWindow)
+
     def click(self, name: str) -> None:
         """Click a button or check box once it is visible. Scroll to it if necessary."""
         button = self.button(name)
@@ -245,6 +250,10 @@ class WindowDriver(WidgetDriver):
     def connect_to_demo(self, kind: str = "trex") -> None:
         """Connect to the demo TReX or Aracna. Wait until it is read."""
         self.program.connect_to_demo(kind)
+        self.wait_until_up(kind)
+
+    def wait_until_up(self, kind: str = "aracna") -> None:
+        """Wait until the TReX or the Aracna is connected."""
         model = self.device if kind == "trex" else self.robot
         self.wait(lambda: model.link is ConnectionState.CONNECTED)
 

@@ -33,10 +33,6 @@ class GamepadPanelPage(WidgetDriver, Generic[PadsT]):
     def profile(self) -> GamepadProfile:
         return self.gamepad.profile
 
-    def activate(self) -> None:
-        self.root.activateWindow()
-        self.wait(self.root.isActiveWindow)
-
     def select_text(self, name: str, part: str) -> None:
         """Select the entry of a combo box that contains a text."""
         combo = self.combo(name)

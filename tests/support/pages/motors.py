@@ -55,11 +55,6 @@ class MotorsPage(WindowDriver):
     def show_page(self) -> None:
         self.open_page("motorsPage")
 
-    def activate(self) -> None:
-        """Bring the window to the front."""
-        self.window.activateWindow()
-        self.wait(self.window.isActiveWindow)
-
     def let_nothing_happen(self, seconds: float) -> None:
         """Let time pass before a check that nothing has changed."""
         assert isinstance(self.qtbot, VirtualQtBot)

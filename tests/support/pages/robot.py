@@ -61,11 +61,6 @@ class RobotWindow(WindowDriver):
         self.connect_port(self.program.ports.demo_of(kind))
         self.wait_until_up(kind)
 
-    def wait_until_up(self, kind: str = "aracna") -> None:
-        """Wait until the TReX or the Aracna is connected."""
-        model = self.device if kind == "trex" else self.robot
-        self.wait(lambda: model.link is ConnectionState.CONNECTED)
-
     def press_connect(self, kind: str = "aracna") -> None:
         """Press Connect and wait until the device is connected."""
         self.click("connectButton")

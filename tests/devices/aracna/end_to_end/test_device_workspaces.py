@@ -82,20 +82,6 @@ def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> Non
         assert len(halts) > before, f"page {page}"
 
 
-def test_start_panel_replaces_robot_page_without_connection(
-    connected_window: RobotWindow,
-) -> None:
-    window = connected_window
-    window.press_disconnect()
-    assert window.has("aracnaTabs")
-    assert not window.is_enabled("aracnaMoveButton")
-    window.window.pages.setCurrentIndex(0)
-    assert window.has("aracna_startPanel")
-    assert not window.button("aracnaMoveButton").isVisible()
-    window.select_demo()
-    assert not window.has("aracna_startPanel")
-
-
 DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
 NONE = "Not connected"
 

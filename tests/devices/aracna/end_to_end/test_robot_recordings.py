@@ -16,12 +16,6 @@ def opened(window: RobotWindow) -> list[RobotPlaybackWindow]:
     return aracna(window.program).workspace.recordings.windows
 
 
-def close_recordings(window: RobotWindow) -> None:
-    for each in tuple(opened(window)):
-        each.close()
-    assert opened(window) == []
-
-
 def test_session_is_recorded_and_opened_from_menu(
     connected_window: RobotWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -51,10 +45,11 @@ def test_session_is_recorded_and_opened_from_menu(
     playback.playback.set_position(playback.playback.end)
     joints = WidgetDriver(playback, window.qtbot).find(JointValues, "aracnaRecordedJoints")
     assert joints.model().index(0, 1).data().startswith(f"{present[0]} = ")
-    close_recordings(window)
+    playback.close()
+    assert opened(window) == []
 
 
-def test_open_recording_is_not_overwritten_and_can_stop_robot(
+def test_open_recording_can_stop_robot_and_closes_with_main_window(
     connected_window: RobotWindow, tmp_path: Path
 ) -> None:
     window, path = connected_window, tmp_path / "walk.trexrec"
@@ -73,19 +68,5 @@ def test_open_recording_is_not_overwritten_and_can_stop_robot(
     window.robot.halted.connect(lambda: halted.append(True))
     WidgetDriver(playback, window.qtbot).click("aracnaPlaybackStopButton")
     assert halted == [True]
-    close_recordings(window)
-
-
-def test_recordings_close_with_main_window(window: RobotWindow, tmp_path: Path) -> None:
-    manager = aracna(window.program).workspace.recordings
-    paths = [tmp_path / f"{name}.trexrec" for name in ("first", "second", "late")]
-    for path in paths:
-        recordings.write(path, list(recordings.session(3)))
-    for path in paths[:2]:
-        manager.open_file(path)
-        window.wait_for_files()
-    assert len(opened(window)) == 2
-    manager.open_file(paths[2])
     window.window.close()
-    window.wait_for_files()
     assert opened(window) == []

@@ -162,12 +162,6 @@ def test_next_command_gives_enough_values_to_truncated_command() -> None:
     assert harness.request(GOALS) == b".c600,600,600,600,600,600,600,600\r\n"
 
 
-def test_command_sent_right_after_speeds_is_truncated(harness: AracnaHarness) -> None:
-    harness.line.send(SPEEDS + b".l1\n")  # ".l" and the newline survive
-    harness.line.advance(1)
-    assert harness.line.receive() == SPEEDS.replace(b"\n", b"\r\n") + b".l0\r\n"
-
-
 def test_speeds_sent_right_after_hello_restart_board_each_time() -> None:
     harness = AracnaHarness(booted=False)
     for boot in range(1, 21):
