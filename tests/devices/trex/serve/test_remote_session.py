@@ -6,9 +6,11 @@ from collections.abc import Callable, Iterable
 import pytest
 
 from tests.devices.trex.serve.test_server import CONNECTED
+from tests.devices.trex.session.helpers import error_code
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, Stop
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.serve import remote_session
 from trex_gui.devices.trex.serve.lease import Party, Role
 from trex_gui.devices.trex.serve.remote_session import RemoteSession
@@ -172,3 +174,14 @@ def test_request_fails_without_an_answer_about_the_lease(network: Network) -> No
     script: list[Step] = [(1.0, False), (1.0, Write(3, ())), (1.1, True), (6.0, AskLease())]
     network.run([*script, (7.0, Close())])
     assert Write not in [kind for _, kind in network.requests]
+
+
+def test_watcher_learns_that_it_may_not_drive(
+    network: Network, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    watcher = Party("1", "local", Role.WATCH)
+    monkeypatch.setattr("tests.devices.trex.serve.test_remote_session._CLIENT", watcher)
+    reports = network.run([(1.0, Write(3)), (1.1, Arm()), (2.0, Close())])
+    assert error_code(reports, 3) is ErrorCode.MAY_NOT_DRIVE
+    assert MotorsStopped(ErrorCode.MAY_NOT_DRIVE, confirmed=True) in reports
+    assert Arm not in [kind for _, kind in network.requests]
