@@ -50,17 +50,6 @@ def snapshot_of(board: DemoBoard) -> DemoSnapshot:
 # --- Snapshots --------------------------------------------------------------------------
 
 
-def test_new_board_starts_in_serial_mode_with_automatic_sticks(board: RecordingDemoBoard) -> None:
-    snapshot = snapshot_of(board)
-    assert snapshot.power
-    assert snapshot.mode is Mode.SERIAL_RC
-    assert snapshot.jumpers.mode == "serial"
-    assert len(snapshot.channels) == 5
-    assert len(snapshot.motors) == 2
-    assert snapshot.line.plugged
-    assert board.automatic == frozenset(CHANNELS)
-
-
 def test_unwatched_board_is_not_polled(
     board: RecordingDemoBoard, virtual_time: VirtualRuntime
 ) -> None:
@@ -100,6 +89,10 @@ def test_snapshot_is_parsed_from_the_reply_to_show() -> None:
     line.advance(0.2)
     snapshot = read_snapshot(control(line, "show").removeprefix("ok "))
     assert snapshot.power
+    assert snapshot.mode is Mode.SERIAL_RC
+    assert snapshot.jumpers.mode == "serial"
+    assert snapshot.line.plugged
+    assert len(snapshot.channels) == 5
     assert snapshot.channels[0] == DemoChannel("rest", 3750)
     assert snapshot.channels[1] == DemoChannel("silent", None)
     assert snapshot.motors[0].load == 4.5
