@@ -35,13 +35,20 @@ class DeviceSetup:
         self.device.connect_to(ConnectionSettings(url or self.simulator.url))
         self.until_link(ConnectionState.CONNECTED)
 
+    def cycle_power(self, *while_off: str) -> None:
+        """Cycle the power of the board. Send control lines while it is off."""
+        self.simulator.do("power off")
+        self.until_link(ConnectionState.NOT_RESPONDING)
+        self.simulator.do(*while_off, "power on")
+        self.until_link(ConnectionState.CONNECTED)
+
     def disconnect(self) -> None:
         self.device.disconnect_line()
         self.until_link(ConnectionState.DISCONNECTED)
 
-    def write(self) -> None:
-        """Apply the edits, and wait for the end."""
-        self.device.writer.apply()
+    def write(self, *keys: str) -> None:
+        """Apply the edits, or only edits with these keys, and wait for the end."""
+        self.device.writer.apply(keys or None)
         self.until(lambda: not self.device.writer.running)
 
     def shut_down(self) -> None:

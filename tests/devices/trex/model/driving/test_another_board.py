@@ -139,10 +139,7 @@ def test_equal_board_at_another_adapter_may_not_be_the_driven_board(
 
 
 def test_moved_jumper_does_not_mean_another_board(driven: DrivenBoard) -> None:
-    driven.board.do("power off")
-    driven.until_link(ConnectionState.NOT_RESPONDING)
-    driven.board.do("jumper mode analog", "power on")
-    driven.until_link(ConnectionState.CONNECTED)
+    driven.cycle_power("jumper mode analog")
     assert driven.closing_text() == ""
 
 
@@ -216,10 +213,7 @@ def test_interrupted_apply_does_not_mean_another_board(driven: DrivenBoard) -> N
     device.parameters.edit("serial_timeout", 15)
     device.parameters.edit("motor1_acceleration", 3)
     device.writer.apply()
-    driven.board.do("power off")
-    driven.until_link(ConnectionState.NOT_RESPONDING)
-    driven.board.do("power on")
-    driven.until_link(ConnectionState.CONNECTED)
+    driven.cycle_power()
     assert driven.closing_text() == ""
 
 

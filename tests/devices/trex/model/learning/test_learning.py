@@ -195,10 +195,7 @@ def test_stick_test_fails_in_rc_mode_despite_the_override(setup: LearningSetup) 
 
 
 def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:
-    setup.simulator.do("eeprom motor_mode 1", "power off")
-    setup.until_link(ConnectionState.NOT_RESPONDING)
-    setup.simulator.do("power on")
-    setup.until_link(ConnectionState.CONNECTED)
+    setup.cycle_power("eeprom motor_mode 1")
     assert setup.device.board.is_joint
     setup.until(lambda: setup.device.motors.is_available)
     setup.run_motor(60)
@@ -377,8 +374,7 @@ def test_requesting_a_test_does_not_stop_running_motors(setup: LearningSetup) ->
 
 def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> None:
     setup.use_values(1, 2)
-    setup.device.writer.apply({"rc_channel_2"})
-    setup.until(lambda: not setup.device.writer.running)
+    setup.write("rc_channel_2")
     assert setup.requested_tests == [(2,)]
     setup.write()
     assert setup.requested_tests == [(2,), (1,)]
@@ -388,9 +384,8 @@ def test_test_is_requested_once_the_direction_is_written_too(setup: LearningSetu
     setup.review(1)
     setup.learning.set_choice(1, reversed_=True)
     setup.learning.use_values()
-    for keys, expected in (({"rc_channel_1"}, []), ({"reversed_channels"}, [(1,)])):
-        setup.device.writer.apply(keys)
-        setup.until(lambda: not setup.device.writer.running)
+    for key, expected in (("rc_channel_1", []), ("reversed_channels", [(1,)])):
+        setup.write(key)
         assert setup.requested_tests == expected
 
 

@@ -171,10 +171,7 @@ def test_renumbered_board_reconnects_after_power_cycle(
     recorder.edit("device_number", 9)
     recorder.edit("uart_settings", EDITS["uart_settings"])
     recorder.apply()
-    quick_simulator.do("power off")
-    recorder.until_link(ConnectionState.NOT_RESPONDING)
-    quick_simulator.do("power on")
-    recorder.until_link(ConnectionState.CONNECTED)
+    recorder.cycle_power()
     assert recorder.device.settings is not None
     assert recorder.device.settings.device_number == 9
     assert recorder.device.parameters.values.stored.get("device_number") == 9
