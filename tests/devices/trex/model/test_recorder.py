@@ -4,8 +4,9 @@ import csv
 import math
 import re
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -55,6 +56,11 @@ class RecorderSetup(DeviceSetup):
         """Start a recording, and wait for more than this number of samples."""
         assert self.recorder.start(path)
         self.until(lambda: len(self.samples) > samples)
+
+    def drive(self) -> None:
+        self.device.motors.arm()
+        self.device.motors.set_speed(1, 40)
+        self.pass_time(1)
 
     def end_recording(self) -> None:
         with self.qtbot.waitSignal(self.recorder.ended):
@@ -115,9 +121,7 @@ def test_setpoints_events_and_settings_are_recorded_in_order(
 ) -> None:
     device, path = session.device, tmp_path / "a.trexrec"
     session.recorder.start(path)
-    device.motors.arm()
-    device.motors.set_speed(1, 40)
-    session.until(lambda: len(session.samples) > 50)
+    session.drive()
     device.motors.press_stop()
     session.until(lambda: not device.may_move)
     device.parameters.edit("serial_timeout", 9)
@@ -195,55 +199,42 @@ def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: P
     session.end_recording()
 
 
-class AutomaticRecordings:
-    """Automatic recordings of faults and stops."""
-
-    def __init__(self, session: RecorderSetup) -> None:
-        self._session = session
-        self.recorder = EventRecorder(session.device, session.recorder)
-        self.files: list[Path] = []
-        self.recorder.ended.connect(self.files.append)
-
-    def drive(self) -> None:
-        self._session.device.motors.arm()
-        self._session.device.motors.set_speed(1, 40)
-        self._session.pass_time(1)
-
-    def newest(self, count: int) -> tuple[Path, list[Record]]:
-        """Wait for this number of recordings, and return the newest."""
-        self._session.until(lambda: len(self.files) == count)
-        return self.files[-1], records_of(self.files[-1])
+def new_recording(
+    session: RecorderSetup, automatic: EventRecorder, act: Callable[[], object]
+) -> tuple[Path, list[Record]]:
+    """Call `act`, and return the next automatic recording."""
+    with session.qtbot.waitSignal(automatic.ended) as ended:
+        act()
+    return ended.args[0], records_of(ended.args[0])
 
 
 @pytest.fixture
-def automatic(
-    session: RecorderSetup, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[AutomaticRecordings]:
+def automatic(session: RecorderSetup, monkeypatch: pytest.MonkeyPatch) -> Iterator[EventRecorder]:
     """Automatic recordings with 2 seconds before and after an event."""
     assert (recorder._BEFORE, recorder._AFTER) == (20.0, 10.0)
     monkeypatch.setattr(recorder, "_BEFORE", 2.0)
     monkeypatch.setattr(recorder, "_AFTER", 2.0)
-    automatic = AutomaticRecordings(session)
+    automatic = EventRecorder(session.device, session.recorder)
     session.device.link_changed.emit()
     session.device.state_changed.emit()  # the board is read already
     yield automatic
-    automatic.recorder.shut_down()
+    automatic.shut_down()
 
 
 def test_seconds_around_a_stop_are_recorded(
-    session: RecorderSetup, automatic: AutomaticRecordings
+    session: RecorderSetup, automatic: EventRecorder
 ) -> None:
     motors = session.device.motors
     motors.press_stop()  # the motors are at rest, so nothing is recorded
     session.until(lambda: not motors.locked_for)
-    automatic.drive()
+    session.drive()
     session.pass_time(3)
     stopped = now()
     motors.press_stop()
     session.pass_time(1)
-    session.simulator.do("fault 1 on")  # within the same seconds
-
-    path, records = automatic.newest(1)
+    add_fault = partial(session.simulator.do, "fault 1 on")  # within the same seconds
+    path, records = new_recording(session, automatic, add_fault)
+    assert list(path.parent.glob("*.trexrec")) == [path]
     assert re.fullmatch(r"[-_.0-9]{24}stop.trexrec", path.name)
     assert 1.5 < stopped - records[0].time < 2.5
     assert 2.5 < records[-1].time - stopped < 3.5
@@ -258,54 +249,55 @@ def test_seconds_around_a_stop_are_recorded(
     file.close()
     motors.press_stop()  # no motor was driven since the last stop
     session.pass_time(1)
-    assert not automatic.recorder.recording
+    assert not automatic.recording
 
 
 def test_repeated_faults_do_not_extend_a_recording_without_limit(
-    session: RecorderSetup, automatic: AutomaticRecordings, monkeypatch: pytest.MonkeyPatch
+    session: RecorderSetup, automatic: EventRecorder, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(recorder, "_MAX_LENGTH", 2.0)
+    files: list[Path] = []
+    automatic.ended.connect(files.append)
     session.pass_time(2)
     start = now()
     for _ in range(6):
         session.device.events.add(EventKind.FAULT, "Motor 1 fault", is_problem=True)
         session.pass_time(1)
-    assert records_of(automatic.files[0])[-1].time < start + 5
+    assert records_of(files[0])[-1].time < start + 5
 
 
 def test_stop_is_not_recorded_during_a_recording_or_if_off(
-    session: RecorderSetup, automatic: AutomaticRecordings, tmp_path: Path
+    session: RecorderSetup, automatic: EventRecorder, tmp_path: Path
 ) -> None:
     session.recorder.start(tmp_path / "user.trexrec")
-    automatic.drive()
+    session.drive()
     session.device.motors.press_stop()
     session.pass_time(1)
-    assert not automatic.recorder.recording
+    assert not automatic.recording
     session.end_recording()
 
-    automatic.recorder.set_on(False)
+    automatic.set_on(False)
     session.until(lambda: not session.device.motors.locked_for)
-    automatic.drive()
+    session.drive()
     session.device.motors.press_stop()
     session.pass_time(1)
-    assert not automatic.recorder.recording
+    assert not automatic.recording
     assert not EventRecorder(session.device, session.recorder).is_on
 
 
 def test_fault_is_recorded_if_the_line_closes_at_once(
-    session: RecorderSetup, automatic: AutomaticRecordings
+    session: RecorderSetup, automatic: EventRecorder
 ) -> None:
     session.pass_time(2)
     session.simulator.do("fault 2 on")
     session.until(lambda: session.device.board.errors.recent(2, now()))
-    session.device.disconnect_line()
-    path, records = automatic.newest(1)
+    path, records = new_recording(session, automatic, session.device.disconnect_line)
     assert path.stem.endswith("_fault")
     assert any(isinstance(record, Currents) for record in records)
 
 
 def test_errors_from_before_the_connection_start_no_recording(
-    session: RecorderSetup, automatic: AutomaticRecordings
+    session: RecorderSetup, automatic: EventRecorder
 ) -> None:
     session.disconnect()
     session.simulator.do("fault 2 on", "fault 2 off")
@@ -313,7 +305,7 @@ def test_errors_from_before_the_connection_start_no_recording(
     session.until(lambda: any(entry.is_earlier for entry in session.device.board.errors.entries))
     assert not session.device.board.errors.recent(2, now())
     session.pass_time(1)
-    assert not automatic.recorder.recording
+    assert not automatic.recording
 
 
 def test_oldest_recordings_are_removed_unless_renamed() -> None:
