@@ -8,7 +8,7 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QObject, QThread, QTimer, Slot
+from PySide6.QtCore import QCoreApplication, QTimer
 from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.recording.samples import (
@@ -233,49 +233,23 @@ def test_empty_recording_can_be_opened(playback_of: PlaybackOf) -> None:
 # --- Reading thread ---------------------------------------------------------------------
 
 
-@pytest.fixture(scope="module")
-def hour(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    path = tmp_path_factory.mktemp("hour") / "hour.trexrec"
-    write_long_recording(path)
-    yield path
-    path.unlink()
-
-
-class BlockingDetector(QObject):
-    """Timer in the GUI thread. A pause between its ticks shows that the thread was blocked."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.times: list[float] = []
-        self._timer = QTimer(self)
-        self._timer.setInterval(50)
-        self._timer.timeout.connect(self._on_timeout)
-        self._timer.start()
-
-    @Slot()
-    def _on_timeout(self) -> None:
-        self.times.append(now())
-
-    def ticks(self, start: float, end: float) -> list[float]:
-        return [time for time in self.times if start <= time <= end]
-
-    def longest_pause(self, start: float, end: float) -> float:
-        """Return the longest time without a tick (s)."""
-        times = [start, *self.ticks(start, end), end]
-        return max(later - earlier for earlier, later in pairwise(times))
-
-
 @pytest.mark.slow
 @pytest.mark.realtime
 @pytest.mark.timeout(300)  # for a busy computer
-def test_window_responds_while_an_hour_is_read(hour: Path, qtbot: QtBot) -> None:
-    assert any(responds_while_reading(hour, qtbot) for _ in range(ATTEMPTS))
+def test_window_responds_while_an_hour_is_read(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "hour.trexrec"
+    write_long_recording(path)
+    assert any(responds_while_reading(path, qtbot) for _ in range(ATTEMPTS))
+    path.unlink()
 
 
 def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     """Load a recording of an hour. Return true if the GUI thread was never blocked for long."""
-    detector = BlockingDetector()
+    ticks: list[float] = []  # a pause between ticks shows that the GUI thread was blocked
+    timer = QTimer()
+    timer.timeout.connect(lambda: ticks.append(now()))
     start = now()
+    timer.start(50)
     playback = loading(Playback(open_recording(hour)))
     opened = now()
     qtbot.waitUntil(lambda: playback.progress > 0.2, timeout=120_000)
@@ -283,38 +257,24 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     with qtbot.waitSignal(playback.loaded, timeout=240_000):
         pass
     end = now()
+    timer.stop()
     assert playback.row_counts[0] == playback.row_counts[1] > 280_000
     assert playback.end - playback.start == pytest.approx(3600, abs=0.1)
     playback.close()
     # Opening returns at once, and no later step blocks.
     return (
         opened - start < (end - start) / 20
-        and len(detector.ticks(start, scanned)) >= 5
-        and len(detector.ticks(start, end)) >= 40
-        and detector.longest_pause(start, end) < (end - start) / 5
+        and sum(tick < scanned for tick in ticks) >= 5
+        and len(ticks) >= 40
+        and max(later - earlier for earlier, later in pairwise((start, *ticks, end)))
+        < (end - start) / 5
     )
 
 
-@pytest.fixture
-def started_workers(monkeypatch: pytest.MonkeyPatch) -> list[FileWorker]:
-    """Workers started by the test."""
-    workers: list[FileWorker] = []
-    start = FileWorker.start
-
-    def record_and_start(worker: FileWorker, priority: QThread.Priority) -> None:
-        workers.append(worker)
-        start(worker, priority)
-
-    monkeypatch.setattr(FileWorker, "start", record_and_start)
-    return workers
-
-
 @pytest.mark.realtime
-def test_closing_while_reading_ends_the_thread(
-    long_file: Path, qtbot: QtBot, started_workers: list[FileWorker]
-) -> None:
+def test_closing_while_reading_ends_the_thread(long_file: Path, qtbot: QtBot) -> None:
     playback = loading(Playback(open_recording(long_file)))
-    (thread,) = started_workers
+    (thread,) = playback.findChildren(FileWorker)
     qtbot.waitUntil(lambda: playback.progress > 0)
     signals: list[str] = []
     playback.loaded.connect(lambda: signals.append("loaded"))
