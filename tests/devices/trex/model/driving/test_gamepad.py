@@ -49,15 +49,12 @@ class GamepadSetup:
         first, second = self.motors.drive(1), self.motors.drive(2)
         return (first.signed if first else None, second.signed if second else None)
 
-    def wait_for_speeds(self, left: int | None, right: int | None) -> None:
-        self.qtbot.waitUntil(lambda: self.speeds() == (left, right))
-
     def drive_forward(self) -> None:
         """Push the stick all the way forward."""
         self.pads.press(HOLD)
         self.wait_for("Driving")
         self.pads.move(Y, -1.0)
-        self.wait_for_speeds(FULL_SCALE, FULL_SCALE)
+        self.qtbot.waitUntil(lambda: self.speeds() == (FULL_SCALE, FULL_SCALE))
 
 
 @pytest.fixture
