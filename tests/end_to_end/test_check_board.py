@@ -65,8 +65,12 @@ def test_jumpers_restore_default_serial_settings(
     assert board.show()["active_uart"]["crc"] is False
 
     dialog.root.close()
+    window.disconnect()
+    window.connect(board.url)
+    window.disconnect()
     window.trigger("check_board")
     assert dialog.has("checkLedsPage"), "the dialog starts again at its first page"
+    assert dialog.text("checkNote") == "", "an earlier connection is not shown"
     dialog.root.close()
     window.trigger("find")
     window.click("findCheckButton")

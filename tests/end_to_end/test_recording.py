@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from tests.devices.trex.recording.samples import drive_records, read_file, write
+from tests.devices.trex.recording.samples import read_file
 from tests.support.program import trex
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.ui.playback.manager import RecordIndicator
@@ -56,24 +56,6 @@ def test_session_is_recorded_and_opened_without_a_board(
     assert recordings.windows == [opened]
     opened.close()
     assert recordings.windows == []
-
-
-def test_dropped_recording_opens_and_other_file_is_rejected(
-    window: WindowDriver, tmp_path: Path
-) -> None:
-    path = tmp_path / "none.trexrec"
-    path.write_text("no recording")
-    assert window.drop(path)
-    window.wait_for_files()
-    assert "none.trexrec: This is not a TReX Studio recording" in window.text("bannerText")
-    assert trex(window.program).workspace.recordings.windows == []
-    path = tmp_path / "a.trexrec"
-    write(path, list(drive_records(5)))
-    assert window.drop(path)
-    window.wait_for_files()
-    (opened,) = trex(window.program).workspace.recordings.windows
-    window.wait(lambda: opened.playback.is_loaded)
-    opened.close()
 
 
 def test_esc_in_file_dialog_stops_motors(connected_window: WindowDriver) -> None:

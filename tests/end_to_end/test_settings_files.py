@@ -266,7 +266,7 @@ def rover(tmp_path: Path) -> Path:
     return path
 
 
-def test_file_is_opened_edited_saved_and_closed(
+def test_each_file_is_opened_once_and_closed(
     window: WindowDriver, offline: SettingsFiles, rover: Path, tmp_path: Path
 ) -> None:
     assert window.action("open").isEnabled()
@@ -279,12 +279,6 @@ def test_file_is_opened_edited_saved_and_closed(
     offline.files.open_file(rover)
     window.wait_for_files()
     assert len(offline.files.editors) == 1, "the file is open already"
-
-    editor.edit("serial_timeout", 15)
-    editor.action("Save").trigger()
-    window.wait_for_files()
-    assert rover.read_text(encoding="utf-8") == TEXT.replace("5  # 0.5 s", "15  # 1.5 s")
-    assert not editor.document.modified
 
     other = tmp_path / "other.txt"
     other.write_text(TEXT, encoding="utf-8")

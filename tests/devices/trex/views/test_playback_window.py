@@ -228,5 +228,6 @@ def test_missing_part_of_a_recording_is_reported(
 def test_times_and_sizes_are_rounded_for_display() -> None:
     assert time_text(3725.25, tenths=True) == "1:02:05.2"
     assert time_text(59.99) == "0:00:59"
+    assert time_text(90_061) == "25:01:01"
     assert size_text(4_300_000) == "4.3 MB"
     assert size_text(56_000) == "56 kB"
