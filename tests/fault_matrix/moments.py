@@ -87,7 +87,11 @@ def _apply(step: int | None, harness: FaultHarness, inject: Inject) -> None:
 
 def _end_apply(harness: FaultHarness) -> None:
     harness.window.wait(lambda: not harness.window.device.writer.running)
-    harness.window.find(QDialog, "reviewDialog").close()
+    _close_dialog("reviewDialog", harness)
+
+
+def _close_dialog(name: str, harness: FaultHarness) -> None:
+    harness.window.find(QDialog, name).close()
 
 
 def _channels_page(harness: FaultHarness) -> ChannelsDriver:
@@ -104,26 +108,14 @@ def _calibrate(harness: FaultHarness, inject: Inject) -> None:
     inject()
 
 
-def _end_calibrating(harness: FaultHarness) -> None:
-    _channels_page(harness).release_handle()
-
-
-def _learning_dialog(harness: FaultHarness) -> LearningDialog:
-    dialog = harness.window.dialog("learnDialog").root
-    assert isinstance(dialog, Steps)
-    return LearningDialog(dialog, harness.window.device, harness.board, harness.window.qtbot)
-
-
 def _learn(harness: FaultHarness, inject: Inject) -> None:
     _connect_and_edit(harness)
-    learning = _learning_dialog(harness)
+    dialog = harness.window.dialog("learnDialog").root
+    assert isinstance(dialog, Steps)
+    learning = LearningDialog(dialog, harness.window.device, harness.board, harness.window.qtbot)
     learning.use({1: Stick(), 2: Stick()})
     learning.go_to_travel(1, 2)
     inject()
-
-
-def _end_learning(harness: FaultHarness) -> None:
-    harness.window.find(QDialog, "learnDialog").close()
 
 
 def _drive(harness: FaultHarness, inject: Inject) -> None:
@@ -203,8 +195,8 @@ MOMENTS: dict[str, Moment] = {
     "apply_parameters": Moment(partial(_apply, 2), _end_apply),
     "apply_line_settings": Moment(partial(_apply, 4), _end_apply),
     "apply_verified": Moment(partial(_apply, 5), _end_apply),
-    "calibration": Moment(_calibrate, _end_calibrating),
-    "learning": Moment(_learn, _end_learning),
+    "calibration": Moment(_calibrate, lambda harness: _channels_page(harness).release_handle()),
+    "learning": Moment(_learn, partial(_close_dialog, "learnDialog")),
     "driving": Moment(_drive),
     "recording": Moment(_record, _end_recording),
     "export": Moment(_export),

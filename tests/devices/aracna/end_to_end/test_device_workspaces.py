@@ -14,32 +14,16 @@ from tests.support.window import LEFT
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.widgets.behaviour import ConfirmButton
 
-TREX_MENUS = ["File", "Edit", "Device", "Window", "Help"]
-ARACNA_MENUS = ["File", "Device", "Aracna", "Poses", "Window", "Help"]
-
 
 def assert_trex_workspace(window: RobotWindow) -> None:
     assert window.robot.link is ConnectionState.DISCONNECTED
     assert window.has("tabs")
     assert not window.has("aracnaTabs")
-    assert window.menus == TREX_MENUS
+    assert window.menus == ["File", "Edit", "Device", "Window", "Help"]
     assert window.has("demoPanel")
     assert not window.has("aracnaDemoPanel")
     assert trex(window.program).controller.demo_in_use
-
-
-def assert_robot_workspace(window: RobotWindow) -> None:
-    assert window.device.link is ConnectionState.DISCONNECTED, "one device at a time"
-    assert window.has("aracnaTabs")
-    assert not window.has("tabs")
-    assert window.menus == ARACNA_MENUS
-    assert not window.has("demoPanel")
-    assert window.has("aracnaDemoPanel")
-    assert not trex(window.program).controller.demo_in_use
-    status = window.find(QLabel, "statusLabel")
-    assert status.text() == "Aracna"
-    assert status.toolTip() == "Connected to Aracna: firmware 1, 8 motors."
-    assert not window.is_enabled("lineButton")
+    assert window.action("stop").text() == "&Stop motors"
 
 
 def press_control(window: RobotWindow, key: Qt.Key) -> None:
@@ -54,12 +38,21 @@ def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
     )
     window.select_demo("trex")
     assert_trex_workspace(window)
-    assert window.action("stop").text() == "&Stop motors"
     press_control(window, Qt.Key.Key_2)
     assert (board_tabs.currentIndex(), robot_tabs.currentIndex()) == (1, 0)
 
     window.select_demo()
-    assert_robot_workspace(window)
+    assert window.device.link is ConnectionState.DISCONNECTED, "one device at a time"
+    assert window.has("aracnaTabs")
+    assert not window.has("tabs")
+    assert window.menus == ["File", "Device", "Aracna", "Poses", "Window", "Help"]
+    assert not window.has("demoPanel")
+    assert window.has("aracnaDemoPanel")
+    assert not trex(window.program).controller.demo_in_use
+    status = window.find(QLabel, "statusLabel")
+    assert status.text() == "Aracna"
+    assert status.toolTip() == "Connected to Aracna: firmware 1, 8 motors."
+    assert not window.is_enabled("lineButton")
     assert window.action("stop").text() == "&Stop sequence"
     press_control(window, Qt.Key.Key_3)
     assert (board_tabs.currentIndex(), robot_tabs.currentIndex()) == (1, 2)
@@ -68,7 +61,6 @@ def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
 
     window.select_demo("trex")
     assert_trex_workspace(window)
-    assert window.action("stop").text() == "&Stop motors"
 
 
 def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> None:
@@ -82,7 +74,6 @@ def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> Non
         assert len(halts) > before, f"page {page}"
 
 
-DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
 NONE = "Not connected"
 
 
@@ -97,12 +88,12 @@ def test_connect_uses_selected_demo(computer: list[ListPortInfo], window: RobotW
     assert window.port == "/dev/ttyNothing9"
     window.select_demo()
     window.press_disconnect()
-    assert window.port == DEMO_ARACNA
+    assert window.port == "Demo Aracna (no hardware)"
     window.press_connect()
 
     window.select_demo("trex")
     window.press_disconnect()
-    assert window.port == DEMO_TREX
+    assert window.port == "Demo TReX (no hardware)"
     window.trigger("connect")
     window.wait_until_up("trex")
     assert window.robot.link is ConnectionState.DISCONNECTED
