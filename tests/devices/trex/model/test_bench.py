@@ -221,8 +221,6 @@ def test_next_test_can_start_right_after_release(driving: BenchSetup) -> None:
     assert driving.bench.start()
     driving.until(lambda: driving.speed() == 60)
     assert len(driving.finished) == 1
-    driving.bench.release()
-    driving.until(driving.brakes)
 
 
 def aborted(setup: BenchSetup) -> Run:
@@ -255,8 +253,6 @@ def test_current_of_the_other_motor_does_not_abort_the_test(driving: BenchSetup)
     driving.simulator.do("current 2 25")
     driving.until(lambda: (driving.device.telemetry.motor_currents or (0, 0))[1] > 24)
     assert driving.bench.phase is Phase.DRIVING
-    driving.bench.release()
-    driving.until(driving.brakes)
 
 
 @pytest.mark.parametrize(

@@ -5,10 +5,9 @@ from pathlib import Path
 
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.model.device_setup import DeviceSetup
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.provision import Provision, ProvisionStep
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.provision_record import ProvisionRecord
@@ -17,10 +16,9 @@ from trex_gui.devices.trex.settings.provision_record import ProvisionRecord
 def test_board_whose_number_was_not_read_is_unsuitable(
     quick_simulator: SimulatedDevice, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    device = Device()
-    provision = Provision(device)
-    device.connect_to(ConnectionSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.is_connected)
+    setup = DeviceSetup(qtbot, quick_simulator)
+    device, provision = setup.device, Provision(setup.device)
+    setup.connect()
     state = device.state
     assert state is not None
     parameters = dict(state.parameters)
@@ -30,4 +28,4 @@ def test_board_whose_number_was_not_read_is_unsuitable(
     provision.start(profile, ProvisionRecord(tmp_path / "record.csv"), turns_motors=False)
     assert provision.step is ProvisionStep.UNPLUG
     assert provision.problem == "Device Number: not read"
-    qtbot.waitUntil(device.shut_down)
+    setup.shut_down()

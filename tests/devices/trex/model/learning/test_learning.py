@@ -237,7 +237,6 @@ def test_arming_is_allowed_in_review_but_not_in_travel(setup: LearningSetup) -> 
     setup.learning.back()
     setup.until_step(LearningStep.FAILED)
     assert "armed" in setup.learning.problem
-    setup.device.motors.stop()
 
 
 def test_review_curves_follow_stick_and_selected_values(setup: LearningSetup) -> None:
@@ -369,7 +368,6 @@ def test_requesting_a_test_does_not_stop_running_motors(setup: LearningSetup) ->
     assert setup.learning.motors_armed  # the user confirms before the test begins
     assert setup.learning.step is LearningStep.ENDED
     assert setup.simulator.show()["motors"][0]["speed"] == 40
-    setup.device.motors.stop()
 
 
 def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> None:
@@ -455,7 +453,6 @@ def test_failed_test_reports_the_written_values_as_unchanged(
     setup.until_step(LearningStep.FAILED)
     assert "Nothing was changed" not in setup.learning.problem
     assert "The test has ended. Nothing in the board was changed" in setup.learning.problem
-    setup.device.motors.stop()
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,5 @@
 """Measurements that reach the learning of channels."""
 
-import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.client.telemetry import Newest, Raw
@@ -8,14 +7,9 @@ from trex_gui.devices.trex.model.learning.channels import MeasuredInputs
 from trex_gui.devices.trex.model.telemetry import Telemetry
 
 
-@pytest.fixture
-def telemetry(qtbot: QtBot) -> Telemetry:
+def test_pulse_that_is_read_in_a_burst_counts_once(qtbot: QtBot) -> None:
     telemetry = Telemetry(lambda _motor: None, Newest())
     telemetry.start(0.15)
-    return telemetry
-
-
-def test_pulse_that_is_read_in_a_burst_counts_once(telemetry: Telemetry) -> None:
     inputs, times = MeasuredInputs(telemetry), list[float]()
     inputs.arrived.connect(lambda measured: times.extend(time for time, _ in measured))
     inputs.start()

@@ -10,12 +10,10 @@ from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from tests.support.snapshots import ADAPTER, create_snapshot
-from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotColumn, SnapshotTable
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 from trex_gui.ui.files import background
-from trex_gui.ui.runtime import runtime
 
 MINUTE = timedelta(minutes=1)
 
@@ -23,33 +21,31 @@ MINUTE = timedelta(minutes=1)
 class HistoryTable(SnapshotTable):
     """Snapshot table with access to its history."""
 
-    def __init__(self, history: SettingsHistory) -> None:
+    def __init__(self, history: SettingsHistory, qtbot: QtBot) -> None:
         super().__init__(history)
         self.history = history
+        self._qtbot = qtbot
+
+    def wait_for_threads(self) -> None:
+        """Wait for the threads that list and read files."""
+        self._qtbot.waitUntil(lambda: not background)
 
 
 @pytest.fixture
 def table(qtbot: QtBot, tmp_path: Path) -> HistoryTable:
-    return HistoryTable(SettingsHistory(tmp_path / "snapshots"))
+    return HistoryTable(SettingsHistory(tmp_path / "snapshots"), qtbot)
 
 
-def refresh(table: SnapshotTable) -> None:
+def refresh(table: HistoryTable) -> None:
     """List the folder again, and wait for the end."""
     table.refresh()
-    wait_for_threads()
+    table.wait_for_threads()
 
 
-def wait_for_threads() -> None:
-    """Wait for the threads that list and read files."""
-    virtual = runtime()
-    assert isinstance(virtual, VirtualRuntime)
-    assert virtual.run_until(lambda: not background, 10)
-
-
-def content_of(table: SnapshotTable, snapshot: Snapshot) -> Settings | str | None:
+def content_of(table: HistoryTable, snapshot: Snapshot) -> Settings | str | None:
     """Read a snapshot if necessary, and return its content."""
     if table.content_of(snapshot) is None:
-        wait_for_threads()
+        table.wait_for_threads()
     return table.content_of(snapshot)
 
 
@@ -150,7 +146,7 @@ def test_snapshots_are_read_only_in_background_threads(
     assert table.rowCount() == 1
     assert table.content_of(table.matches[0]) is None
     assert calls == []
-    wait_for_threads()
+    table.wait_for_threads()
     assert set(calls) == {"files", "read_header", "load"}
     assert isinstance(table.content_of(table.matches[0]), Settings)
 
@@ -200,7 +196,7 @@ def test_name_and_note_are_edited_in_the_table(table: HistoryTable) -> None:
         index = table.index(0, column)
         assert table.flags(index) & Qt.ItemFlag.ItemIsEditable
         assert table.setData(index, value)
-        wait_for_threads()
+        table.wait_for_threads()
         assert text(table, 0, column) == value
     assert not table.flags(table.index(0, SnapshotColumn.BOARD)) & Qt.ItemFlag.ItemIsEditable
     name = table.index(0, SnapshotColumn.NAME)
