@@ -7,7 +7,9 @@ from typing import Any
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.conftest import STOPPED, motor
 from tests.devices.trex.model.device_setup import DeviceSetup
+from tests.support.pages.motors import signed_speeds
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.bench.run import End, Plan, Profile, Run, Shape, figures
 from trex_gui.devices.trex.model.bench import Bench, Phase
@@ -56,13 +58,10 @@ class BenchSetup(DeviceSetup):
 
     def speed(self, motor: int = 1) -> int:
         """Return the signed speed of the simulated output. 0 while braking."""
-        output = self.simulator.show()["motors"][motor - 1]
-        sign = {"forward": 1, "reverse": -1, "brake": 0}[output["direction"]]
-        return int(sign * output["speed"])
+        return signed_speeds(self.simulator)[motor - 1]
 
-    def brakes(self, motor: int = 1) -> bool:
-        output = self.simulator.show()["motors"][motor - 1]
-        return bool(output["direction"] == "brake" and output["speed"] == 127)
+    def brakes(self, number: int = 1) -> bool:
+        return motor(self.simulator, number) == STOPPED
 
 
 @pytest.fixture
