@@ -94,23 +94,17 @@ def test_reversal_without_brake_duration_starts_at_zero(trex: Trex) -> None:
     assert min(127, trex.fewest_updates - 1) <= speed <= trex.most_updates
 
 
-def test_acceleration_commands_are_current_limited(trex: Trex) -> None:
-    """CMD10 0xC4: the "fixed update cycle that also takes care of the current-limiting logic"."""
-    trex.set_parameters(motor1_current_limit=10, motor1_current_limit_p=1)
-    trex.control("current 1 6")
-    trex.send("C6 7F")
-    trex.wait(0.1)
-    assert trex.motor(1)[1] < 127
-    assert trex.request_byte("84") & 0x20
-
-
 def test_set_commands_override_current_limit_temporarily(trex: Trex) -> None:
-    """CMD10 0xC4: "set the motor speed the instant they're received"."""
+    """CMD10 0xC4: "set the motor speed the instant they're received".
+
+    The "fixed update cycle" of accelerate commands "also takes care of the current-limiting logic".
+    """
     trex.set_parameters(motor1_current_limit=10, motor1_current_limit_p=1)
     trex.control("current 1 6")
     trex.send("C6 7F")
     trex.wait(0.15)
     limited = trex.motor(1)[1]
+    assert trex.request_byte("84") & 0x20
     trex.send("C2 7F")
     assert trex.motor(1)[1] > limited
     trex.wait(0.1)
