@@ -298,15 +298,6 @@ def restart(setup: ConnectorSetup, act: Callable[[], None]) -> None:
     setup.until_link(ConnectionState.CONNECTED)
 
 
-def start_demo_with_new_settings(setup: ConnectorSetup) -> None:
-    """Connect to a simulated board, change its line settings, and restart it."""
-    setup.connect(setup.ports.demo_of("trex"))
-    store(setup, uart_settings=NEW.to_wire())
-    setup.device.connection.expect((ConnectionSettings("", NEW),))
-    restart(setup, setup.connector.demo_board.power_cycle)
-    assert line_of(setup) == NEW
-
-
 def line_of(setup: ConnectorSetup) -> LineSettings:
     assert setup.device.settings is not None
     return setup.device.settings.line
@@ -346,16 +337,16 @@ def test_failed_write_of_line_settings_retains_candidates(
     assert line_of(setup) == NEW
 
 
-def test_simulated_board_reconnects_at_its_last_settings(setup: ConnectorSetup) -> None:
-    start_demo_with_new_settings(setup)
+def test_simulated_board_has_its_last_line_settings_until_reset(setup: ConnectorSetup) -> None:
+    setup.connect(setup.ports.demo_of("trex"))
+    store(setup, uart_settings=NEW.to_wire())
+    setup.device.connection.expect((ConnectionSettings("", NEW),))
+    restart(setup, setup.connector.demo_board.power_cycle)
+    assert line_of(setup) == NEW
     assert setup.connector.settings == ConnectionSettings("")  # only for real boards
     setup.disconnect()
     setup.connect(setup.ports.demo_of("trex"))
     assert line_of(setup) == NEW
-
-
-def test_new_simulated_board_uses_factory_line_settings(setup: ConnectorSetup) -> None:
-    start_demo_with_new_settings(setup)
     restart(setup, setup.connector.demo_board.restore_factory)
     assert line_of(setup) == LineSettings()
     setup.connector.simulator.stop()

@@ -36,13 +36,11 @@ def record_movements(robot: Robot, first: Movement, second: Movement) -> None:
     robot.setup.record_movement(2, second)
 
 
-def lose_replies(robot: Robot, command: str = "") -> None:
-    """Mute the board until it counts as lost. Run a command, then let the board reply again."""
+def lose_replies(robot: Robot, *commands: str) -> None:
+    """Mute the board until it counts as lost. Run commands, then let the board reply again."""
     robot.simulator.do("line mute on")
     robot.wait(lambda: not robot.device.is_connected)
-    if command:
-        robot.simulator.do(command)
-    robot.simulator.do("line mute off")
+    robot.simulator.do(*commands, "line mute off")
     robot.wait(lambda: robot.device.is_connected)
 
 
