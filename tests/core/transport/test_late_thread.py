@@ -3,30 +3,15 @@
 import os
 import select
 import time
-import tty
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
 from serial import serialposix
 
+from tests.core.transport.conftest import Open
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.core.transport.serial_port import SerialTransport
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 pytestmark = pytest.mark.realtime
-
-
-@pytest.fixture
-def ends() -> Iterator[tuple[int, SerialTransport]]:
-    """Return the far end of a pseudo-terminal, and a line on the near end."""
-    far, near = os.openpty()
-    tty.setraw(near)
-    transport = SerialTransport(ConnectionSettings(os.ttyname(near)))
-    yield far, transport
-    transport.close()
-    os.close(near)
-    os.close(far)
 
 
 class _Late:
@@ -41,9 +26,9 @@ class _Late:
 
 
 def test_write_succeeds_although_its_thread_is_late(
-    ends: tuple[int, SerialTransport], monkeypatch: pytest.MonkeyPatch
+    terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    far, transport = ends
+    far, transport = terminal[0], opened(terminal[1])
 
     def write(descriptor: int, data: bytes) -> int:
         count = os.write(descriptor, data)
@@ -56,9 +41,9 @@ def test_write_succeeds_although_its_thread_is_late(
 
 
 def test_timely_reply_is_read_although_thread_is_late(
-    ends: tuple[int, SerialTransport], monkeypatch: pytest.MonkeyPatch
+    terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    far, transport = ends
+    far, transport = terminal[0], opened(terminal[1])
 
     def wait(*arguments: Any) -> Any:
         found = select.select(*arguments)
@@ -71,7 +56,9 @@ def test_timely_reply_is_read_although_thread_is_late(
     assert transport.read(7, 0.001) == b"a reply"
 
 
-def test_write_to_blocked_port_raises_port_unavailable(ends: tuple[int, SerialTransport]) -> None:
-    _far, transport = ends
+def test_write_to_blocked_port_raises_port_unavailable(
+    terminal: tuple[int, str], opened: Open
+) -> None:
+    transport = opened(terminal[1])
     with pytest.raises(PortUnavailable):
         transport.write(bytes(1_000_000))

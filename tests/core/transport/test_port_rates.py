@@ -4,17 +4,16 @@ import array
 import errno
 import os
 import sys
-from dataclasses import replace
 
 import pytest
 import serial
 
+from tests.core.transport.conftest import Open
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport import linux_ports
 from trex_gui.core.transport.linux_ports import rates_of
-from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -34,30 +33,32 @@ def no_time() -> float:
 
 
 @linux
-def test_pseudo_terminal_supports_every_rate_and_sends_nothing(terminal: tuple[int, str]) -> None:
+def test_pseudo_terminal_supports_every_rate_and_sends_nothing(
+    terminal: tuple[int, str], opened: Open
+) -> None:
     master, url = terminal
-    transport = SerialTransport(ConnectionSettings(url, LineSettings(14400)))
+    transport = opened(url, LineSettings(14400))
     assert rates_of(transport._port, baud_rates(), no_time) == frozenset(baud_rates())
     os.set_blocking(master, False)
     with pytest.raises(BlockingIOError):
         os.read(master, 1)
-    transport.close()
 
 
 @linux
-def test_rates_query_restores_port_settings(quick_simulator: SimulatedDevice) -> None:
-    settings = ConnectionSettings(quick_simulator.url)
-    transport = SerialTransport(settings)
+def test_rates_query_restores_port_settings(quick_simulator: SimulatedDevice, opened: Open) -> None:
+    transport = opened(quick_simulator.url)
     before = linux_ports.termios2(transport._port.fileno())
     transport.rates(baud_rates())
     assert linux_ports.termios2(transport._port.fileno()) == before
-    client = TrexClient(transport, replace(settings, timeouts=Timeouts(extra=15)))
+    settings = ConnectionSettings(quick_simulator.url, timeouts=Timeouts(extra=15))
+    client = TrexClient(transport, settings)
     assert str(client.request(GetSignature())) == "TReX 1.2"
-    transport.close()
 
 
 @linux
-def test_pseudo_terminal_can_be_reconfigured_repeatedly(terminal: tuple[int, str]) -> None:
+def test_pseudo_terminal_can_be_reconfigured_repeatedly(
+    terminal: tuple[int, str], opened: Open
+) -> None:
     for line in (
         LineSettings(57600, Detection.EVEN, 2),
         LineSettings(57600, Detection.ODD, 2),
@@ -65,7 +66,7 @@ def test_pseudo_terminal_can_be_reconfigured_repeatedly(terminal: tuple[int, str
         LineSettings(1200, Detection.EVEN),
     ):
         for _ in range(2):
-            transport = SerialTransport(ConnectionSettings(terminal[1], line))
+            transport = opened(terminal[1], line)
             transport.reconfigure(LineSettings(1200))
             transport.reconfigure(line)
             transport.close()
@@ -116,9 +117,9 @@ def test_rates_are_unknown_when_driver_rejects_settings_or_is_slow(
 
 
 def test_rates_of_closed_port_and_other_systems_are_unknown(
-    monkeypatch: pytest.MonkeyPatch, terminal: tuple[int, str]
+    monkeypatch: pytest.MonkeyPatch, terminal: tuple[int, str], opened: Open
 ) -> None:
-    transport = SerialTransport(ConnectionSettings(terminal[1]))
+    transport = opened(terminal[1])
     with monkeypatch.context() as patched:
         patched.setattr("platform.machine", lambda: "mips64")
         assert transport.rates(baud_rates()) is None
@@ -129,9 +130,9 @@ def test_rates_of_closed_port_and_other_systems_are_unknown(
 
 
 def test_failed_reconfiguration_raises_matching_error(
-    terminal: tuple[int, str], monkeypatch: pytest.MonkeyPatch
+    terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    transport = SerialTransport(ConnectionSettings(terminal[1]))
+    transport = opened(terminal[1])
     for failure, kind in (
         (ValueError("no such rate"), BadRequest),
         (serial.SerialException(errno.EINVAL, "Invalid argument"), BadRequest),
@@ -146,4 +147,3 @@ def test_failed_reconfiguration_raises_matching_error(
             with pytest.raises(kind):
                 transport.reconfigure(LineSettings(76800))
         transport.reconfigure(LineSettings())
-    transport.close()

@@ -19,6 +19,7 @@ from typing import Any
 import pytest
 import serial
 
+from tests.core.transport.conftest import Open
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.errors import NoReply, PortShared, PortUnavailable
 from trex_gui.core.guardian.guardian import GuardianProcess
@@ -49,25 +50,6 @@ LONG_TIMEOUT = 15.0
 def slow_client(transport: SerialTransport, url: str) -> TrexClient:
     """Return a client that waits for a suspended simulator."""
     return TrexClient(transport, ConnectionSettings(url, timeouts=Timeouts(extra=LONG_TIMEOUT)))
-
-
-@pytest.fixture
-def opened() -> Iterator[Callable[[str], SerialTransport]]:
-    """Open ports that are closed with the test."""
-    transports: list[SerialTransport] = []
-
-    def open_port(
-        url: str, line: LineSettings = LINE, clock: Callable[[], float] = time.monotonic
-    ) -> SerialTransport:
-        transports.append(SerialTransport(ConnectionSettings(url, line), clock))
-        return transports[-1]
-
-    yield open_port
-    for transport in transports:
-        transport.close()
-
-
-Open = Callable[..., SerialTransport]
 
 
 def open_failure(url: str, line: LineSettings = LINE) -> str:
