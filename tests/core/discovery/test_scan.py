@@ -113,23 +113,16 @@ def test_progress_counts_probes_and_names_device_kind() -> None:
     assert [step.kind for step in steps] == ["One"] * 2 + ["Two"] * 2 + ["One"] * 3 + ["Two"] * 3
 
 
-def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
+@pytest.mark.parametrize(("baud", "earlier"), [(57600, []), (4800, ["Other 0"])])
+def test_trex_is_found_at_likely_rate_before_other_probes(baud: int, earlier: list[str]) -> None:
     calls: list[str] = []
     probers = {"trex": TREX_PROBER, "other": silent_prober(calls, "Other")}
-    wire = wire_of(create_board(settings=LineSettings(57600).to_wire()))
+    wire = wire_of(create_board(settings=LineSettings(baud).to_wire()))
     result = search(wire, probers)
     assert (result.device, [found.name for found in result.found]) == ("trex", ["TReX 1.2"])
-    assert result.found[0].settings == ConnectionSettings("virtual", LineSettings(57600))
-    assert calls == []
-    assert wire.line.now < 2.5
-
-
-def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
-    calls: list[str] = []
-    probers = {"trex": TREX_PROBER, "other": silent_prober(calls, "Other")}
-    result = search(wire_of(create_board(settings=LineSettings(4800).to_wire())), probers)
-    assert result.found[0].settings.line == LineSettings(4800)
-    assert calls == ["Other 0"]
+    assert result.found[0].settings == ConnectionSettings("virtual", LineSettings(baud))
+    assert calls == earlier
+    assert earlier or wire.line.now < 2.5
 
 
 def test_unsolicited_data_is_received_at_rate_of_device_kind() -> None:
@@ -186,12 +179,22 @@ def test_cancelled_search_is_reported_as_cancelled() -> None:
     assert wire.closed
 
 
-def test_unopened_port_reports_only_its_error() -> None:
+@pytest.mark.parametrize(
+    ("error", "text"),
+    [
+        (PortUnavailable("It is in use by a terminal."), "It is in use by a terminal."),
+        (
+            LookupError("on purpose"),
+            "Internal error while searching virtual (LookupError: on purpose).",
+        ),
+    ],
+)
+def test_unopened_port_reports_only_its_error(error: Exception, text: str) -> None:
     def refuse(settings: PortSettings) -> Wire:
-        raise PortUnavailable("It is in use by a terminal.")
+        raise error
 
     result = scan_port(VIRTUAL, {"one": silent_prober([], "One")}, open_wire=refuse)
-    assert result.lines == ["It is in use by a terminal."]
+    assert result.lines == [text]
     assert not result.cancelled
 
 
@@ -279,11 +282,3 @@ def test_internal_error_in_search_is_reported_and_closes_port(
     ]
     assert wire.closed
     assert "ZeroDivisionError" in caplog.text
-
-
-def test_internal_error_in_opening_port_is_reported() -> None:
-    def open_wire(_settings: PortSettings) -> Transport:
-        raise LookupError("on purpose")
-
-    found = scan_port(VIRTUAL, {"one": silent_prober([], "One")}, open_wire=open_wire)
-    assert "LookupError: on purpose" in str(found.error)
