@@ -20,7 +20,6 @@ from trex_gui.core.files import log_folder
 from trex_gui.core.log_file import log_file
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.program import Program
-from trex_gui.ui.tour import Tour
 from trex_gui.version import __version__
 
 HelpTour = load_script("pictures").HelpTour
@@ -86,23 +85,6 @@ def test_tour_writes_a_picture_of_every_page(
         "the window no longer looks like these pictures of the help; "
         "create them again: python3 packaging/bootstrap.py pictures"
     )
-
-
-def test_tour_ends_after_an_internal_error(
-    program: Program, qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def fail(device: str) -> None:
-        raise RuntimeError(device)
-
-    monkeypatch.setattr(program, "connect_to_demo", fail)
-    tour = Tour(program, tmp_path)
-    with (
-        qtbot.captureExceptions() as errors,
-        qtbot.waitSignal(tour.finished, timeout=60_000) as finished,
-    ):
-        tour.start()
-    assert finished.args == [False]
-    assert [kind for kind, *_ in errors] == [RuntimeError]
 
 
 def tour_pages() -> list[str]:
