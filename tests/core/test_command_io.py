@@ -3,14 +3,11 @@
 import io
 import os
 import sys
-from collections.abc import Callable, Iterator
 
 import click
 import pytest
 
 from trex_gui.core.command_io import standard_streams
-
-Replace = Callable[[str, io.TextIOWrapper | None], None]
 
 
 class Stream(io.TextIOWrapper):
@@ -29,17 +26,8 @@ class Stream(io.TextIOWrapper):
         return super().write(text)
 
 
-@pytest.fixture
-def replace(monkeypatch: pytest.MonkeyPatch) -> Iterator[Replace]:
-    def replaced(name: str, stream: io.TextIOWrapper | None) -> None:
-        monkeypatch.setattr(sys, name, stream)
-
-    yield replaced
-    monkeypatch.undo()
-
-
-def written(stream: Stream, text: str, replace: Replace) -> bytes:
-    replace("stdout", stream)
+def written(stream: Stream, text: str, monkeypatch: pytest.MonkeyPatch) -> bytes:
+    monkeypatch.setattr(sys, "stdout", stream)
     with standard_streams():
         click.echo(text)
     assert sys.stdout is stream
@@ -47,40 +35,44 @@ def written(stream: Stream, text: str, replace: Replace) -> bytes:
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252", "cp437", "cp850", "cp932", "utf-16"])
-def test_redirected_output_is_utf_8(encoding: str, replace: Replace) -> None:
-    assert written(Stream(encoding), "5 → 7 µs …", replace) == "5 → 7 µs …\n".encode()
+def test_redirected_output_is_utf_8(encoding: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert written(Stream(encoding), "5 → 7 µs …", monkeypatch) == "5 → 7 µs …\n".encode()
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp437", "cp932"])
-def test_terminal_replaces_unsupported_characters(encoding: str, replace: Replace) -> None:
-    shown = written(Stream(encoding, is_terminal=True), "5 → 7 ⇥", replace).decode(encoding)
+def test_terminal_replaces_unsupported_characters(
+    encoding: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown = written(Stream(encoding, is_terminal=True), "5 → 7 ⇥", monkeypatch).decode(encoding)
     assert shown == "5 -> 7 ?\n"
 
 
 @pytest.mark.parametrize("is_terminal", [False, True])
-def test_control_characters_are_shown_as_escapes(is_terminal: bool, replace: Replace) -> None:
+def test_control_characters_are_shown_as_escapes(
+    is_terminal: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     stream = Stream("utf-8", is_terminal=is_terminal)
-    shown = written(stream, "a\x1b]0;b\x07\x9bc\rd\te\r\nf", replace)
+    shown = written(stream, "a\x1b]0;b\x07\x9bc\rd\te\r\nf", monkeypatch)
     assert shown == rb"a\u001b]0;b\u0007\u009bc\u000dd" + b"\te\r\nf\n"
 
 
-def test_name_in_another_encoding_keeps_its_bytes(replace: Replace) -> None:
-    assert written(Stream("cp1252"), os.fsdecode(b"\xe9t"), replace) == b"\xe9t\n"
+def test_name_in_another_encoding_keeps_its_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert written(Stream("cp1252"), os.fsdecode(b"\xe9t"), monkeypatch) == b"\xe9t\n"
 
 
-def test_full_output_ends_the_command_with_a_sentence(replace: Replace) -> None:
+def test_full_output_ends_the_command_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(click.ClickException, match="cannot be written: No space left") as caught:
-        written(Stream("utf-8", fails=True), "text", replace)
+        written(Stream("utf-8", fails=True), "text", monkeypatch)
     assert caught.value.exit_code == 1
 
 
-def test_full_message_stream_does_not_end_the_command(replace: Replace) -> None:
-    replace("stderr", Stream("utf-8", fails=True))
+def test_full_message_stream_does_not_end_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", Stream("utf-8", fails=True))
     with standard_streams():
         click.echo("message", err=True)
 
 
-def test_closed_streams_fail_when_used(replace: Replace, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_closed_streams_fail_when_used(monkeypatch: pytest.MonkeyPatch) -> None:
     opened: list[str] = []
 
     def record_open(path: str, _flags: int) -> int:
@@ -89,7 +81,7 @@ def test_closed_streams_fail_when_used(replace: Replace, monkeypatch: pytest.Mon
 
     monkeypatch.setattr(os, "open", record_open)
     for name in ("stdin", "stdout", "stderr"):
-        replace(name, None)
+        monkeypatch.setattr(sys, name, None)
     with standard_streams():
         assert opened == [os.devnull] * 3, "no port may get the descriptor of a stream"
         click.echo("message", err=True)
