@@ -86,7 +86,6 @@ class Devices:
         factories = {"first": lambda: first, "second": lambda: second}
         self.manager = DeviceManager(factories, DeviceScanner())
         assert list(self.manager.controllers) == [first], "the second is created on first use"
-        assert self.manager.controller("second") is second
         self.reports: list[str] = []
         self.manager.stop_reported.connect(self.reports.append)
 
@@ -97,25 +96,23 @@ class Devices:
 
 @pytest.fixture
 def devices(qapp: QObject) -> Devices:
-    return Devices()
+    devices = Devices()
+    devices.manager.controller("second")
+    return devices
 
 
 def test_stop_continues_while_a_device_is_created(
     qapp: QObject, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The stop can come from another thread while the device is being created."""
-    first, second = FakeDevice("first"), FakeDevice("second")
-    controller = cast("Controller", first)
-    factories = {"first": lambda: controller, "second": lambda: cast("Controller", second)}
-    manager = DeviceManager(factories, DeviceScanner())
-    stops: list[bool] = []
+    devices, stops = Devices(), list[bool]()
 
     def stop_now(*, ending: bool = False) -> None:
-        manager.controller("second")
+        devices.manager.controller("second")
         stops.append(ending)
 
-    monkeypatch.setattr(first, "stop_now", stop_now)
-    manager.stop_now(ending=True)
+    monkeypatch.setattr(devices.first, "stop_now", stop_now)
+    devices.manager.stop_now(ending=True)
     assert stops == [True]
 
 

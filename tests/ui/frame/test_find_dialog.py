@@ -11,6 +11,7 @@ from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.pages.find_dialog import FindBoardDialog
 from tests.support.program import new_controller, scanner_of
+from tests.ui.devices.test_ports import port
 from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.plugin import TREX
 from trex_gui.devices.trex.protocol.commands import Signature
@@ -22,15 +23,9 @@ from trex_gui.ui.devices.scanner import ScanFinding
 from trex_gui.ui.frame.find_dialog import FindDialog
 
 
-def serial_port(name: str, description: str) -> ListPortInfo:
-    port = ListPortInfo(name)
-    port.description = description
-    return port
-
-
 @pytest.fixture
 def ports(qtbot: QtBot, computer: list[ListPortInfo]) -> Iterator[Ports]:
-    computer.append(serial_port("/dev/ttyUSB0", "An adapter"))
+    computer.append(port("/dev/ttyUSB0", "An adapter"))
     ports = Ports([TREX])
     yield ports
     ports.deleteLater()
@@ -63,7 +58,7 @@ def test_check_marks_survive_a_refresh(
 ) -> None:
     dialog.ports()[0].setCheckState(Qt.CheckState.Unchecked)
     assert not dialog.is_enabled("findStartButton")
-    computer.append(serial_port("/dev/ttyUSB1", "n/a"))
+    computer.append(port("/dev/ttyUSB1"))
     ports.refresh()
     assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": False, "/dev/ttyUSB1": True}
     assert dialog.is_enabled("findStartButton")
@@ -76,7 +71,7 @@ def test_check_marks_survive_a_refresh(
 def test_selected_port_is_listed_first(
     dialog: FindBoardDialog, ports: Ports, computer: list[ListPortInfo]
 ) -> None:
-    computer.append(serial_port("/dev/ttyUSB1", "n/a"))
+    computer.append(port("/dev/ttyUSB1"))
     ports.refresh()
     assert isinstance(dialog.root, FindDialog)
     dialog.root.open_dialog(ports.find("/dev/ttyUSB1"))
@@ -84,11 +79,11 @@ def test_selected_port_is_listed_first(
 
 
 def test_ports_with_boards_are_listed_first(dialog: FindBoardDialog, ports: Ports) -> None:
-    port = ports.entries[0]
-    failed = ScanFinding(port, "No TReX responds.", command="sudo usermod -aG dialout ada")
+    first = ports.entries[0]
+    failed = ScanFinding(first, "No TReX responds.", command="sudo usermod -aG dialout ada")
     signature = Signature(device_table().model("trex"), "1.2")
     found = FoundBoard(ConnectionSettings("/dev/ttyUSB1"), signature)
-    board = ScanFinding(port, "TReX 1.2", found, "trex")
+    board = ScanFinding(first, "TReX 1.2", found, "trex")
     dialog.root.show()
     dialog.finder.findings = (failed,)
     dialog.finder.changed.emit()

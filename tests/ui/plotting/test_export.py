@@ -57,19 +57,14 @@ def test_event_is_written_to_the_next_row_or_its_own() -> None:
     assert rows[-1] == ["1.0000", "", "", "Disconnected"]
 
 
-@pytest.fixture
-def panel(qtbot: QtBot) -> TracePanel:
+@pytest.mark.realtime
+def test_interrupted_export_retains_the_old_file(qtbot: QtBot, tmp_path: Path) -> None:
     history = SampleHistory(len(Series))
     times = np.arange(100_000) / 80
     history.extend(times, [times] * len(Series))
     panel = TracePanel()
     qtbot.addWidget(panel)
     panel.set_source(Traces(board_traces(), history))
-    return panel
-
-
-@pytest.mark.realtime
-def test_interrupted_export_retains_the_old_file(panel: TracePanel, tmp_path: Path) -> None:
     path = tmp_path / "all.csv"
     path.write_text("old content")
     panel.export.save_table(path, -np.inf, np.inf)

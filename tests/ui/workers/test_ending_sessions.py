@@ -1,7 +1,7 @@
 """Final report of a session, and requests while a session ends."""
 
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -12,7 +12,6 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.session import Close, Closed, RequestQueue
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Halt
-from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.devices.connection import ConnectionState
@@ -140,22 +139,11 @@ def test_only_confirmed_stop_clears_may_move_after_shutdown(
 # --- Order of the shutdown --------------------------------------------------------------
 
 
-@pytest.fixture
-def manager(qtbot: QtBot) -> Iterator[DeviceManager]:
-    controller = new_controller()
-    manager = DeviceManager({"trex": lambda: controller}, scanner_of(controller))
-    yield manager
-    qtbot.waitUntil(manager.shut_down)
-
-
 def test_shutdown_closes_the_line_before_it_waits_for_a_scan(
-    manager: DeviceManager,
-    quick_simulator: SimulatedDevice,
-    qtbot: QtBot,
-    monkeypatch: pytest.MonkeyPatch,
+    quick_simulator: SimulatedDevice, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    controller, links = manager.current, list[ConnectionState]()
-    assert isinstance(controller, TrexController)
+    controller, links = new_controller(), list[ConnectionState]()
+    manager = DeviceManager({"trex": lambda: controller}, scanner_of(controller))
     close = ScanWorker.close
 
     def record_and_close(worker: ScanWorker) -> bool:
@@ -169,6 +157,7 @@ def test_shutdown_closes_the_line_before_it_waits_for_a_scan(
     manager.shut_down()
     assert links
     assert ConnectionState.CONNECTED not in links
+    qtbot.waitUntil(manager.shut_down)
 
 
 # --- Requests from other threads --------------------------------------------------------
