@@ -179,7 +179,7 @@ def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
 @pytest.fixture
 def light_scheme(qapp: QApplication) -> None:
     """Use light colours and the default font size on every computer."""
-    theme().install(qapp)
+    del qapp
     theme().set_scheme("light")
     theme().set_font_size(100)
 

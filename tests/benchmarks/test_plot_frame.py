@@ -7,14 +7,12 @@ import time
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.benchmarks.conftest import ReportFigure
 from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.plotting.traces import TraceInfo, Traces
-from trex_gui.ui.theme.theme import theme
 
 LENGTHS = (1_000, 10_000, 100_000, 1_000_000)
 _ROUNDS = 60
@@ -43,10 +41,7 @@ def milliseconds(work: Callable[[TracePanel], object], panel: TracePanel) -> flo
     return (time.perf_counter() - start) * 1000
 
 
-def test_frame_time_does_not_depend_on_history_length(
-    qapp: QApplication, qtbot: QtBot, figure: ReportFigure
-) -> None:
-    theme().install(qapp)
+def test_frame_time_does_not_depend_on_history_length(qtbot: QtBot, figure: ReportFigure) -> None:
     panels = {}
     for count in LENGTHS:
         panel = TracePanel()

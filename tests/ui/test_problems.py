@@ -7,11 +7,10 @@ from typing import Any, cast
 
 import pytest
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from trex_gui.ui.diagnostics.problems import Problem, ProblemsPage, Reading
-from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
@@ -28,8 +27,7 @@ class SampleProblemsPage(ProblemsPage):
 
 
 @pytest.mark.parametrize("height", [280, 440, 600])
-def test_text_is_not_cut_off_on_a_low_page(height: int, qtbot: QtBot, qapp: QApplication) -> None:
-    theme().install(qapp)
+def test_text_is_not_cut_off_on_a_low_page(height: int, qtbot: QtBot) -> None:
     traffic = SimpleNamespace(everything=SimpleNamespace(rows=[]))
     page = SampleProblemsPage("errors", cast("Any", traffic), cast("Any", None))
     box = ScrollBox(page)

@@ -1,14 +1,12 @@
 """Connection bar above the pages."""
 
-from PySide6.QtWidgets import QApplication, QStyleOptionComboBox
+from PySide6.QtWidgets import QStyleOptionComboBox
 from pytestqt.qtbot import QtBot
 
 from trex_gui.ui.frame.connection_bar import PortList
-from trex_gui.ui.theme.theme import theme
 
 
-def test_narrow_port_list_elides_its_text(qtbot: QtBot, qapp: QApplication) -> None:
-    theme().install(qapp)
+def test_narrow_port_list_elides_its_text(qtbot: QtBot) -> None:
     ports = PortList()
     qtbot.addWidget(ports)
     ports.addItem("Demo TReX (no hardware)")

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtWidgets import QApplication, QComboBox, QLabel
+from PySide6.QtWidgets import QComboBox, QLabel
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
@@ -16,8 +16,7 @@ from trex_gui.ui.units import units
 
 
 @pytest.fixture
-def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[WidgetDriver]:
-    theme().install(qapp)
+def dialog(qtbot: QtBot) -> Iterator[WidgetDriver]:
     dialog = PreferencesDialog()
     dialog.open_preferences()
     yield WidgetDriver(dialog, qtbot)

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QUrl
 from PySide6.QtGui import QColor, QDesktopServices, QTextDocument
-from PySide6.QtWidgets import QApplication, QListWidget, QTextBrowser
+from PySide6.QtWidgets import QListWidget, QTextBrowser
 from pytestqt.qtbot import QtBot
 
 from tests.support.keyboard import check_keyboard
@@ -42,10 +42,7 @@ class HelpDriver(WidgetDriver):
 
 
 @pytest.fixture
-def help_window(qtbot: QtBot, qapp: QApplication) -> HelpDriver:
-    theme().install(qapp)
-    theme().set_scheme("light")
-    theme().set_font_size(100)
+def help_window(qtbot: QtBot, light_scheme: None) -> HelpDriver:
     return HelpDriver(qtbot)
 
 
@@ -126,7 +123,6 @@ def test_pictures_and_text_follow_theme_and_font(help_window: HelpDriver) -> Non
     before = browser.document().size().height()
     theme().set_font_size(150)
     assert browser.document().size().height() > before
-    theme().set_font_size(100)
 
 
 def test_every_control_can_be_reached_by_keyboard(help_window: HelpDriver) -> None:

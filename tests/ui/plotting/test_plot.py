@@ -96,9 +96,7 @@ class TracePanelDriver(WidgetDriver):
 
 
 @pytest.fixture
-def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> TracePanelDriver:
-    theme().install(qapp)
-    theme().set_scheme("light")
+def panel(light_scheme: None, qtbot: QtBot, source: Source) -> TracePanelDriver:
     driver = TracePanelDriver(TracePanel(), source, qtbot)
     driver.refresh()
     return driver

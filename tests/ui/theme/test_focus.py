@@ -8,7 +8,6 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
-    QApplication,
     QListWidget,
     QMainWindow,
     QPlainTextEdit,
@@ -76,8 +75,7 @@ def changed_pixels(before: QImage, after: QImage) -> int:
 
 
 @pytest.mark.parametrize("scheme", SCHEMES[1:])
-def test_focus_is_visible_on_every_widget(scheme: Scheme, qtbot: QtBot, qapp: QApplication) -> None:
-    theme().install(qapp)
+def test_focus_is_visible_on_every_widget(scheme: Scheme, qtbot: QtBot) -> None:
     theme().set_scheme(scheme)
     window = QWidget()
     qtbot.addWidget(window)
@@ -102,8 +100,7 @@ def test_focus_is_visible_on_every_widget(scheme: Scheme, qtbot: QtBot, qapp: QA
         assert changed >= 0.8 * perimeter, f"{widget!r}: {changed} pixels"
 
 
-def test_focus_has_a_frame_unless_the_mouse_has_set_it(qtbot: QtBot, qapp: QApplication) -> None:
-    theme().install(qapp)
+def test_focus_has_a_frame_unless_the_mouse_has_set_it(qtbot: QtBot) -> None:
     window = QWidget()
     qtbot.addWidget(window)
     first, second = QPushButton("First", window), QPushButton("Second", window)
@@ -129,8 +126,7 @@ def test_focus_has_a_frame_unless_the_mouse_has_set_it(qtbot: QtBot, qapp: QAppl
     assert not is_framed()
 
 
-def test_menu_bar_with_the_focus_has_no_frame(qtbot: QtBot, qapp: QApplication) -> None:
-    theme().install(qapp)
+def test_menu_bar_with_the_focus_has_no_frame(qtbot: QtBot) -> None:
     window = QMainWindow()
     qtbot.addWidget(window)
     window.menuBar().addMenu("File")

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from trex_gui.ui.theme.theme import theme
@@ -66,8 +66,7 @@ def test_point_and_comma_separate_decimals_in_every_language(qtbot: QtBot, langu
         assert box.value() == 1500
 
 
-def test_large_button_follows_the_font(qtbot: QtBot, qapp: QApplication) -> None:
-    theme().install(qapp)
+def test_large_button_follows_the_font(qtbot: QtBot) -> None:
     page = QWidget()
     qtbot.addWidget(page)
     button = builders.button(page, "stopButton", "Stop")
