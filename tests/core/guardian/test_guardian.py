@@ -271,9 +271,7 @@ def test_suspended_guardian_does_not_act_afterwards(board: Board, ends: Ends) ->
     assert board.received == b""
 
 
-def test_idle_guardian_sends_nothing(board: Board, ends: Ends) -> None:
-    guardian = started(ends[0])
-    guardian.watch(STOP)
+def test_idle_guardian_sends_nothing(guardian: GuardianProcess, board: Board) -> None:
     guardian.watch(None)
     close_input(guardian)
     wait_until(lambda: has_ended(guardian))
@@ -325,9 +323,7 @@ def test_echo_does_not_count_as_status(board: Board, ends: Ends) -> None:
     echo = STOP.packets + STOP.queries[0]
     board.statuses = [echo + b"\x01", echo + b"\x00"]
     guardian = started(ends[0])
-    guardian.watch(
-        StopSequence(STOP.packets, STOP.queries, 1, 0x01, has_echo=True, seconds=STOP.seconds)
-    )
+    guardian.watch(replace(STOP, has_echo=True))
     assert guardian.stop(LONG_TIMEOUT)
     assert board.received.count(STOP.queries[0]) == 3
 
@@ -353,7 +349,7 @@ def test_telnet_commands_do_not_count_as_status(board: Board, ends: Ends) -> Non
     board.statuses = [negotiation + b"\x00"]
     guardian = started(ends[0], kind="telnet")
     escaped = STOP.packets + b"\xff"
-    guardian.watch(StopSequence(escaped, STOP.queries, 1, 0x01, has_echo=False, seconds=0.05))
+    guardian.watch(replace(STOP, packets=escaped))
     assert guardian.stop(LONG_TIMEOUT)
     assert board.received.startswith(escaped + b"\xff" + escaped + b"\xff" + STOP.queries[0])
 

@@ -47,10 +47,7 @@ def test_damaged_log_is_read_as_far_as_possible(log: Path, damage: bytes) -> Non
     assert logged_stops(0) == (len(damage), [])
 
 
-def test_missing_log_counts_as_empty() -> None:
+def test_missing_log_or_folder_in_its_place_counts_as_empty(log: Path) -> None:
     assert logged_stops(5) == (0, [])
-
-
-def test_folder_in_place_of_log_counts_as_empty(log: Path) -> None:
     log.mkdir()
     assert logged_stops(0) == (0, [])
