@@ -6,19 +6,14 @@ from packaging.version import Version
 from tests.packaging.loading import import_script
 from tests.support.scripts import PACKAGING
 
-ROOT = PACKAGING.parent
-
-
 lowest = import_script("lowest")
 
 
 def test_no_lowest_version_exceeds_the_pinned_version() -> None:
-    pinned = dict(
-        line.split("==")
-        for line in (ROOT / "packaging" / "constraints.txt").read_text("utf-8").splitlines()
-    )
-    pinned = {canonicalize_name(name): version for name, version in pinned.items()}
-    versions = lowest.lowest_versions((ROOT / "pyproject.toml").read_text("utf-8"))
+    lines = (PACKAGING / "constraints.txt").read_text("utf-8").splitlines()
+    pairs = (line.split("==") for line in lines)
+    pinned = {canonicalize_name(name): version for name, version in pairs}
+    versions = lowest.lowest_versions((PACKAGING.parent / "pyproject.toml").read_text("utf-8"))
     assert {"click", "pyside6-essentials", "pygame-ce", "mcap"} <= versions.keys()
     assert [name for name in versions if Version(versions[name]) > Version(pinned[name])] == []
 

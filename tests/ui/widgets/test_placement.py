@@ -43,7 +43,6 @@ def test_dialog_reopens_where_it_was_closed(qtbot: QtBot) -> None:
         dialog.move(dialog.pos() + QPoint(2, 26))  # a window manager may move the dialog
         dialog.show()
         assert dialog.geometry() == first
-    dialog.close()
 
 
 def test_stored_position_is_restored_within_the_screen(qtbot: QtBot) -> None:
@@ -59,15 +58,12 @@ def test_stored_position_is_restored_within_the_screen(qtbot: QtBot) -> None:
     assert _screen().contains(window.frameGeometry())
     window.setGeometry(60, 70, 500, 400)
     save_geometry(window, "test")
-    window.close()
     window = open_window()
     assert window.geometry() == QRect(60, 70, 500, 400)
     window.setGeometry(1700, 900, 500, 400)
     save_geometry(window, "test")
-    window.close()
     window = open_window()
     assert _screen().contains(window.frameGeometry())
-    window.close()
 
 
 def test_window_can_fill_the_whole_screen(qtbot: QtBot) -> None:
@@ -76,4 +72,3 @@ def test_window_can_fill_the_whole_screen(qtbot: QtBot) -> None:
     fit_on_screen(window)
     window.showFullScreen()
     assert window.isFullScreen()
-    window.close()
