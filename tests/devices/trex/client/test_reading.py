@@ -8,7 +8,7 @@ from tests.devices.trex.client.corruption import corrupt_packet
 from tests.devices.trex.session.helpers import commands, create_harness, fake_requester
 from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
-from trex_gui.devices.trex.client.client import Requester, TrexClient
+from trex_gui.devices.trex.client.client import Requester
 from trex_gui.devices.trex.client.reading import DeviceState, query, read_everything, read_reliably
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, GetParameter, ReplyT_co
@@ -107,21 +107,21 @@ def test_corrupted_reply_is_read_again() -> None:
     undisturbed = SessionHarness(Board())
     stored = read_everything(undisturbed.client().request)
     count = len(commands(undisturbed.transport.sent))
-    for number in (*range(8), *range(8, count, 5), count - 1):
+
+    def read_with_corrupted_reply(number: int) -> DeviceState:
         harness = SessionHarness(Board())
         client = harness.client()
 
-        def corrupt(
-            command: Command[ReplyT_co],
-            harness: SessionHarness = harness,
-            client: TrexClient = client,
-            number: int = number,
-        ) -> ReplyT_co:
+        def corrupt(command: Command[ReplyT_co]) -> ReplyT_co:
             harness.line.faults.to_corrupt = int(client.counters.requests == number)
             return client.request(command)
 
-        assert read_everything(corrupt) == stored, number
+        state = read_everything(corrupt)
         assert harness.line.faults.counters["corrupted"] == 1
+        return state
+
+    for number in (*range(8), *range(8, count, 5), count - 1):
+        assert read_with_corrupted_reply(number) == stored, number
 
 
 @pytest.mark.parametrize(

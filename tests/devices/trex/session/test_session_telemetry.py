@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import pytest
 
+from tests.devices.trex.client.corruption import corrupt_packet
 from tests.devices.trex.session.helpers import (
     commands,
     create_harness,
@@ -185,14 +186,7 @@ def test_status_bits_survive_lost_uart_error_byte(harness: SessionHarness) -> No
 
 
 def test_lost_uart_error_request_is_repeated(harness: SessionHarness) -> None:
-    requests: list[bytes] = []
-
-    def lose_second_request(packet: bytes) -> None:
-        if packet == b"\x85":
-            requests.append(packet)  # the first is sent when the line opens
-            harness.line.faults.to_drop_sent = int(len(requests) == 2)
-
-    on_write(harness, before=lose_second_request)
+    harness.script.at(1.0, lambda: corrupt_packet(harness, b"\x85", b""))
     harness.script.at(1.0, lambda: harness.board.report_error(UartError.CRC))
     latched = samples(run_for(harness, 2.0), LatchedStatus)
     assert [(sample.status, sample.uart) for sample in latched] == [
