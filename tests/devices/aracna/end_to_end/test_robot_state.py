@@ -95,6 +95,15 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
     assert "The motion ends by itself in about" in window.text("aracnaMotionLabel")
     window.wait(lambda: window.text("aracnaMotionLabel") == "No robot is connected.")
 
+    window.press_connect()
+    start_long_motion(window)
+    window.press_disconnect()
+    window.connect_port(window.program.ports.demo_of("aracna"))
+    window.control("reset")  # like opening the port; the servos keep moving
+    window.wait_until_up()
+    assert window.servos_turn()
+    assert window.text("aracnaMotionLabel").startswith("Unknown: a motion may continue")
+
 
 def test_motion_is_shown_as_continuing_after_reset(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot

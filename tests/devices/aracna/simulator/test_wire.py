@@ -64,6 +64,15 @@ def test_board_receives_garbage_from_host_at_other_baud_rate(harness: AracnaHarn
     assert harness.line.faults.counters["garbled"] > 4
 
 
+def test_replugged_cable_passes_rest_of_reply(harness: AracnaHarness) -> None:
+    harness.line.send(b".q\n")
+    harness.line.read(2, 1)
+    harness.do("line unplug")
+    harness.line.advance(0.0004)
+    harness.do("line plug")
+    assert harness.request(b"", 1) == VERSION[4:]
+
+
 # --- Cut replies --------------------------------------------------------------------------
 
 
