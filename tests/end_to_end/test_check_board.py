@@ -30,8 +30,7 @@ def test_jumpers_restore_default_serial_settings(
     ports.hidePopup()
 
     board.do("eeprom uart_settings 0x25")  # CRC-7
-    board.do("eeprom crc7_polynomial 0x1D")
-    board.do("power cycle")
+    board.do("eeprom crc7_polynomial 0x1D", "power cycle")
     window.connect_port(window.program.ports.add_typed(board.url))
     window.wait_for_text("bannerText", "No TReX responds")
     window.click("bannerCheckBoard")

@@ -93,8 +93,7 @@ def test_connect_menu_entry_follows_the_selected_port(connected: WindowDriver) -
 def test_board_in_rc_mode_rejects_settings_and_speeds(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
-    simulator.do("jumper mode rc")
-    simulator.do("power cycle")
+    simulator.do("jumper mode rc", "power cycle")
     window.connect(simulator.url)
     motors = window.open_page("motorsPage")
     assert not window.is_enabled("runButton")
@@ -113,8 +112,7 @@ def test_board_in_rc_mode_rejects_settings_and_speeds(
     assert not window.has("applyFirst"), "the board would reject it"
     window.click("questionCancel")
 
-    simulator.do("jumper mode serial")
-    simulator.do("power cycle")
+    simulator.do("jumper mode serial", "power cycle")
     window.wait(lambda: window.is_enabled("applyButton"))
     assert parameters.is_enabled("parametersView")
     window.open_page("boardPage")

@@ -35,8 +35,7 @@ def page(connected_window: WindowDriver) -> CurrentsPage:
 def test_currents_are_shown_and_their_picture_names_the_board(
     page: CurrentsPage, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
-    quick_simulator.do("current 1 6")
-    quick_simulator.do("current 2 3")
+    quick_simulator.do("current 1 6", "current 2 3")
     page.wait_for_cell(0, 1, "6.00 A")
     page.wait_for_cell(1, 1, "3.00 A")
 

@@ -24,8 +24,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
 
     assert page.text("errorsNote").startswith("Nothing is connected.")
     assert not page.find(QLabel, "errorsReading1").isVisible()
-    quick_simulator.do("fault 2 on")
-    quick_simulator.do("fault 2 off")
+    quick_simulator.do("fault 2 on", "fault 2 off")
     window.connect(quick_simulator.url)
     tabs, index = window.find(QTabWidget, "diagnosticsTabs"), 0
     page.wait(lambda: title("MOTOR2_FAULT") == "Motor 2 fault")
@@ -65,8 +64,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     quick_simulator.do("power on")
     restarts = page.find(QLabel, "errorsReading5")
     page.wait(lambda: restarts.toolTip().endswith("Returns after silence: 1."))
-    quick_simulator.do("jumper mode rc")
-    quick_simulator.do("power cycle")
+    quick_simulator.do("jumper mode rc", "power cycle")
     page.wait(lambda: restarts.text() == "1")
     window.disconnect()
     assert page.text("errorsReading4") == "–"

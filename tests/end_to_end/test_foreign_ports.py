@@ -7,6 +7,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDialog
 from serial.tools.list_ports_common import ListPortInfo
 
+from tests.end_to_end.test_board_after_lost_line import lose_running_board
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
@@ -85,14 +86,13 @@ def adapter(url: str, number: str) -> ListPortInfo:
 
 
 def test_window_reconnects_to_the_same_adapter_only(
+    computer: list[ListPortInfo],
     window: WindowDriver,
     quick_simulator: SimulatedDevice,
     virtual_time: VirtualRuntime,
-    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     board, device, ports = quick_simulator, window.device, window.program.ports
-    listed: list[ListPortInfo] = [adapter(board.url, "A500001")]
-    monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(listed))
+    computer.append(adapter(board.url, "A500001"))
     ports.refresh()
     window.program.auto_connect.start()
     window.connect(board.url)
@@ -101,23 +101,19 @@ def test_window_reconnects_to_the_same_adapter_only(
 
     # The adapter returns under another name. A motor was running, and a setting is edited.
     device.parameters.edit(ParameterKey.SERIAL_TIMEOUT, 9)
-    window.wait(lambda: window.motors.is_available)
-    window.motors.arm()
-    window.motors.set_speed(1, 60)
-    window.wait(lambda: board.show()["motors"][0]["direction"] == "forward")
-    listed.clear()
+    computer.clear()
     infos: list[str] = []
     window.device.notifier.info.connect(infos.append)
-    board.do("line unplug")
+    lose_running_board(window, board)
     window.wait_for_text("bannerText", f"The connection to {board.url} is gone.")
     assert window.has("bannerReconnect")
     board.do("line plug")
-    listed[:] = [adapter(board.url, "B700002")]
+    computer[:] = [adapter(board.url, "B700002")]
     virtual_time.advance(5.0)
     assert device.link is ConnectionState.DISCONNECTED, "another adapter has the name of the port"
     assert window.has("bannerText")
     virtual_time.ports["/dev/ttyUSB1"] = virtual_time.ports[board.url]
-    listed.append(adapter("/dev/ttyUSB1", "A500001"))
+    computer.append(adapter("/dev/ttyUSB1", "A500001"))
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     window.wait(lambda: any(text.startswith("1 earlier change still pending.") for text in infos))
     assert not window.motors.armed
@@ -138,29 +134,28 @@ def test_window_reconnects_to_the_same_adapter_only(
     # A listed port that cannot be opened is tried again only after it was unplugged.
     board.do("line unplug")
     window.wait_for_text("bannerText", "There is no port /dev/ttyUSB1.")
-    listed.clear()
+    computer.clear()
     virtual_time.advance(5.0)
     set_connects_automatically(False)
     board.do("line plug")
-    listed.append(adapter("/dev/ttyUSB1", "A500001"))
+    computer.append(adapter("/dev/ttyUSB1", "A500001"))
     window.wait(lambda: not window.has("bannerText"))
     assert device.link is ConnectionState.DISCONNECTED, "only the message disappears"
 
 
 def test_window_reconnects_to_port_of_the_command_line(
-    window: WindowDriver, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
+    computer: list[ListPortInfo], window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     board, device = quick_simulator, window.device
-    listed = [adapter(board.url, "A500001")]
-    monkeypatch.setattr("trex_gui.ui.devices.ports.list_ports.comports", lambda: list(listed))
+    computer.append(adapter(board.url, "A500001"))
     window.program.ports.refresh()
     connect(window.program, argparse.Namespace(demo=False, port=board.url, device=None))
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
-    listed.clear()
+    computer.clear()
     board.do("line unplug")
     window.wait_for_text("bannerText", f"The connection to {board.url} is gone.")
     board.do("line plug")
-    listed.append(adapter(board.url, "A500001"))
+    computer.append(adapter(board.url, "A500001"))
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     window.wait_for_text("bannerText", f"Reconnected to {board.url}. No motor was started.")
 

@@ -51,12 +51,10 @@ def test_lost_settings_of_a_board_are_shown_and_restored(
 def test_snapshot_includes_calibrations_that_the_board_hides(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
-    quick_simulator.do("jumper mode analog")
-    quick_simulator.do("power cycle")
+    quick_simulator.do("jumper mode analog", "power cycle")
     window.connect(quick_simulator.url)
     window.disconnect()
-    quick_simulator.do("jumper mode serial")
-    quick_simulator.do("power cycle")
+    quick_simulator.do("jumper mode serial", "power cycle")
     window.connect(quick_simulator.url)
     window.wait(lambda: window.device.records.files.is_idle)
     window.apply(serial_timeout=15)

@@ -3,10 +3,10 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, QRect, QSettings, QSize, Qt
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtGui import QAction, QScreen
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QMenu
 
 from tests.devices.trex.recording.samples import drive_records, write
 from tests.support.program import trex
@@ -47,16 +47,6 @@ def test_windows_with_large_fonts_fit_a_small_screen(
         window.device.draft.discard_edits()
         window.disconnect()
     assert theme().font_size == FONT_SIZES[-1]
-
-
-def test_page_of_the_last_session_is_shown_again(
-    qapp: QApplication, request: pytest.FixtureRequest
-) -> None:
-    QSettings().setValue("trex/page", "channels")
-    window: WindowDriver = request.getfixturevalue("window")
-    assert window.has("channelsPage")
-    window.open_page("motorsPage")
-    assert QSettings().value("trex/page") == "motors"
 
 
 def recent(window: WindowDriver) -> list[QAction]:

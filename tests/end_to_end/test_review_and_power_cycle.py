@@ -127,8 +127,7 @@ def test_review_reports_stored_and_failed_settings(
 
     edit(window, serial_timeout=15, motor1_acceleration=5)
     review.open()
-    simulator.do("jumper mode rc")
-    simulator.do("power cycle")
+    simulator.do("jumper mode rc", "power cycle")
     window.wait(lambda: device.state is not None and not device.state.mode.is_serial)
     assert not window.is_enabled("applyButton")
     assert "in serial mode only" in review.head

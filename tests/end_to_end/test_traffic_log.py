@@ -9,9 +9,9 @@ from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QFileDialog, QLabel, QLineEdit, QPlainTextEdit
 
+from tests.end_to_end.test_boards_on_one_line import connect
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.theme.theme import select_font_size
 from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.traffic.table import MEANING, RECEIVED, SENT, TrafficView
@@ -270,10 +270,7 @@ def test_typed_write_to_every_board_on_a_line_is_not_sent(
     window: WindowDriver, page: TrafficDriver, start_simulator: StartSimulator
 ) -> None:
     boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
-    port = window.program.ports.add_typed(boards.url)
-    settings = ConnectionSettings(boards.url, device_number=7)
-    window.program.device_manager.connect_with(port, settings)
-    window.wait(lambda: window.device.is_connected)
+    connect(window, boards.url, 7)
 
     def numbers() -> list[int]:
         return [boards.show(f"@{number}")["parameters"]["device_number"] for number in (7, 9)]
