@@ -59,7 +59,7 @@ def test_parameters_and_numbers_follow_the_language() -> None:
 @pytest.mark.usefixtures("german")
 def test_names_of_errors_in_a_reason_are_translated() -> None:
     reason = Reason(DriveBlocker.LINE_ERROR, (("Format error", "CRC error"),))
-    assert "(formatfehler, crc-fehler)" in reason.text()
+    assert "(Formatfehler, CRC-Fehler)" in reason.text()
 
 
 @pytest.mark.usefixtures("german")
