@@ -92,6 +92,7 @@ def test_board_state_is_described(snapshot: DemoSnapshot, text: str) -> None:
     ],
 )
 def test_pattern_is_lit_and_dark_in_turn(pattern: str, lit: float, dark: float) -> None:
+    assert not is_lit("unknown", lit)
     assert is_lit(pattern, 0.0), "pictures show the LED lit"
     assert is_lit(pattern, lit)
     assert is_lit(pattern, lit + 3)
@@ -103,11 +104,6 @@ def test_alternating_leds_are_never_lit_together() -> None:
         seconds = tenth / 10
         first = is_lit("alternate 1/s", seconds)
         assert is_lit("alternate 1/s", seconds, second=True) is not first
-
-
-def test_unknown_pattern_is_dark() -> None:
-    assert is_lit("on", 0.0)
-    assert not is_lit("purple", 0.0)
 
 
 def test_leds_blink_and_are_explained(qtbot: QtBot) -> None:
