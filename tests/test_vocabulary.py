@@ -74,7 +74,7 @@ def words(name: str) -> list[str]:
 
 
 @pytest.mark.parametrize("name", ["is_asked", "AskedTwice", "NOT_ASKED"])
-def test_words_of_every_spelling_are_found(name: str) -> None:
+def test_words_are_found_in_every_naming_style(name: str) -> None:
     assert "asked" in words(name)
 
 

@@ -78,7 +78,7 @@ class Robot:
         serving = ("--port", self.line, "--baud", str(baud), "--name", "arm")
         address = f"127.0.0.1:{self.port}"
         self.server = start(stack, "trex_gui.cli", "serve", *serving, "--listen", address)
-        time.sleep(2.0)  # starts without a sign on stdout
+        time.sleep(2.0)  # prints nothing on stdout when it is ready
 
     def start_ready(self, module: str, *arguments: str) -> "subprocess.Popen[str]":
         """Start a program and wait until it prints that it is ready."""
@@ -222,7 +222,7 @@ def test_four_clients_receive_almost_all_samples(
     figure(
         "samples of the slowest of four clients", 100 * min(received) / at_cable, "%", at_least=99
     )
-    figure("processor of the server with four clients", 100 * share, "%", at_most=15)
+    figure("processor load of the server with four clients", 100 * share, "%", at_most=15)
 
 
 _ROBOTS = 100

@@ -77,5 +77,5 @@ def test_start_to_window_and_to_live_board_is_measured(
     bare, bare_used, window, used, live = (min(times) for times in zip(*runs, strict=True))
     figure("start to bare window with a plot", bare, "s")
     figure("start to window", window, "s")
-    figure("processor time to window, to bare window", used / bare_used, "ratio", at_most=1.2)
+    figure("processor time of window and bare window", used / bare_used, "ratio", at_most=1.2)
     figure("start to live simulated board", live, "s")

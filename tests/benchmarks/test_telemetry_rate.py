@@ -82,5 +82,5 @@ def test_samples_of_every_kind_are_read(
     for name, rate in read.items():
         figure(f"{name} read at {baud} baud, {state}", rate, "/s")
         ratio = rate / possible[name]
-        figure(f"{name} read at {baud} baud, {state}, to ideal host", ratio, "ratio")
+        figure(f"{name} read at {baud} baud, {state}, relative to ideal host", ratio, "ratio")
     assert all(rate > 0 for rate in read.values())

@@ -1,6 +1,6 @@
 """Commands, library and examples run without the packages of the window.
 
-Only the help is printed of commands that are slow, use the network or need an Aracna.
+For commands that are slow, use the network or need an Aracna, only the help is printed.
 """
 
 import json

@@ -60,13 +60,13 @@ def test_name_in_another_encoding_keeps_its_bytes(monkeypatch: pytest.MonkeyPatc
     assert written(Stream("cp1252"), os.fsdecode(b"\xe9t"), monkeypatch) == b"\xe9t\n"
 
 
-def test_full_output_ends_the_command_with_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_full_disk_ends_the_command_with_a_message(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(click.ClickException, match="cannot be written: No space left") as caught:
         written(Stream("utf-8", fails=True), "text", monkeypatch)
     assert caught.value.exit_code == 1
 
 
-def test_full_message_stream_does_not_end_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_failing_stderr_does_not_end_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "stderr", Stream("utf-8", fails=True))
     with standard_streams():
         click.echo("message", err=True)
@@ -83,7 +83,7 @@ def test_closed_streams_fail_when_used(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("stdin", "stdout", "stderr"):
         monkeypatch.setattr(sys, name, None)
     with standard_streams():
-        assert opened == [os.devnull] * 3, "no port may get the descriptor of a stream"
+        assert opened == [os.devnull] * 3, "a port must not get the descriptor of a closed stream"
         click.echo("message", err=True)
         assert sys.stdin.read() == ""
         with pytest.raises(click.ClickException, match="it is closed"):

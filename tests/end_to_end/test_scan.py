@@ -73,7 +73,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert window.find(QToolButton, "lineButton").text() == "57600 baud"
     entries = window.device.board.errors.entries
     window.wait(lambda: any(entry.is_earlier for entry in window.device.board.errors.entries))
-    assert not any(entry.count for entry in entries), "the scan has latched the errors"
+    assert not any(entry.count for entry in entries), "errors that the scan caused are not counted"
     assert all(motor["direction"] == "brake" for motor in quick_simulator.show()["motors"])
 
     window.click("findButton")

@@ -47,7 +47,7 @@ FRAME = QSize(16, 48)
 @pytest.fixture(
     params=[
         ("en", 1024, 600),
-        # `test_every_window.py` uses a longer language.
+        # `test_every_window.py` tries longer texts, in the pseudo-language.
         pytest.param(("de", 1366, 728), marks=pytest.mark.slow),
         pytest.param(("fr", 1366, 728), marks=pytest.mark.slow),
     ],

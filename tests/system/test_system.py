@@ -13,7 +13,7 @@ import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from tests.core.transport.test_driven import left
+from tests.core.transport.test_driven import write_driven_file
 from trex_gui.supervisor import (
     ExceptionWatch,
     SafetySupervisor,
@@ -42,7 +42,7 @@ def test_running_board_counts_as_an_unconfirmed_stop(capsys: pytest.CaptureFixtu
     manager = SimpleNamespace(unconfirmed_stop="")
     supervisor: Any = SimpleNamespace(_program=SimpleNamespace(device_manager=manager))
     assert not SafetySupervisor.report_unconfirmed_stop(supervisor)
-    left("/dev/ttyNONE")
+    write_driven_file("/dev/ttyNONE")
     assert SafetySupervisor.report_unconfirmed_stop(supervisor)
     assert capsys.readouterr().err.startswith("Motors may still be turning")
 

@@ -6,7 +6,7 @@ from functools import partial
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.core.transport.test_driven import left
+from tests.core.transport.test_driven import write_driven_file
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.core.guardian.log import log_file
@@ -84,7 +84,7 @@ def test_running_board_is_reported_first_until_it_is_stopped(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     url = "/dev/ttyNONE"
-    file = left(url)
+    file = write_driven_file(url)
     danger = "Motors may still be turning: no stop has been confirmed for the TReX 1.2"
     window.program.report_last_run(has_crashed=True)
     window.wait_for_text("bannerText", danger)
@@ -101,8 +101,8 @@ def test_running_board_is_reported_first_until_it_is_stopped(
 
 
 def test_stop_of_each_running_board_is_tried_and_reported(messages: Messages) -> None:
-    left("/dev/ttyNONE1")
-    left("/dev/ttyNONE2")
+    write_driven_file("/dev/ttyNONE1")
+    write_driven_file("/dev/ttyNONE2")
     [(kind, text)] = messages.of(stop_running_boards)
     assert kind == "danger"
     dangers, errors = text.splitlines()[:2], text.splitlines()[2:]
@@ -112,7 +112,7 @@ def test_stop_of_each_running_board_is_tried_and_reported(messages: Messages) ->
 
 
 def test_unconfirmed_stop_is_reported_again_while_a_board_runs(messages: Messages) -> None:
-    file = left("/dev/ttyNONE")
+    file = write_driven_file("/dev/ttyNONE")
     log_stops("12:03:05 unconfirmed")
     for _ in range(2):  # because a new connection clears the first message
         [(kind, text)] = messages.of(report_last_run)
@@ -146,7 +146,7 @@ def test_report_of_a_stop_survives_a_connection_and_is_logged_once(
 def test_stops_after_the_start_of_the_program_are_not_reported(messages: Messages) -> None:
     log_stops("12:03:05 unconfirmed")
     log_file().write_text(log_file().read_text() + "2999-01-01 12:00:00 confirmed: Text.\n")
-    file = left("/dev/ttyUSB0")
+    file = write_driven_file("/dev/ttyUSB0")
     file.write_text(file.read_text().replace("2026-11-28", "2999-01-01"))
     ((_, text),) = messages.of(partial(report_last_run, until="2030"))
     assert text.count("2026-11-23 12:03:05") == 1

@@ -38,7 +38,7 @@ LINE = SerialFormat(57600, Parity.EVEN, 2)
 STOP = "d07f7ff000 84 1 1 0 0.05"
 
 
-def left(url: str, line: SerialFormat = LINE) -> Path:
+def write_driven_file(url: str, line: SerialFormat = LINE) -> Path:
     """Write the file of a board that was left running at a port."""
     file = driven_file(url)
     file.parent.mkdir(parents=True, exist_ok=True)
@@ -49,7 +49,7 @@ def left(url: str, line: SerialFormat = LINE) -> Path:
 
 def test_board_is_found_at_its_port_only() -> None:
     assert driven_boards() == {}
-    left("socket://robot:4000")
+    write_driven_file("socket://robot:4000")
     board = driven_at("socket://robot:4000")[1]
     assert board is not None
     assert board.settings == PortSettings("socket://robot:4000", LINE)
@@ -67,7 +67,7 @@ def test_adapter_is_found_at_another_port(monkeypatch: pytest.MonkeyPatch) -> No
         monkeypatch.setattr(list_ports, "comports", lambda: [port])
 
     plug("/dev/ttyUSB0")
-    file = left("/dev/ttyUSB0")
+    file = write_driven_file("/dev/ttyUSB0")
     plug("/dev/ttyUSB1")
     board = driven_at("/dev/ttyUSB1")[1]
     assert board is not None
@@ -83,7 +83,7 @@ def test_adapter_is_found_at_another_port(monkeypatch: pytest.MonkeyPatch) -> No
     "ignore::ResourceWarning"
 )  # the file stays open, as at the end of the process
 def test_later_stop_attempt_preserves_start_of_driving() -> None:
-    file = left("/dev/ttyUSB0")
+    file = write_driven_file("/dev/ttyUSB0")
     found = driven_boards()
     board = found[file]
     assert board is not None
@@ -99,7 +99,7 @@ def test_port_failure_during_stop_reports_running_board(monkeypatch: pytest.Monk
     def fail(_line: SerialTransport, _data: bytes) -> None:
         raise PortUnavailable("It is gone.")
 
-    left("loop://")
+    write_driven_file("loop://")
     monkeypatch.setattr(SerialTransport, "write", fail)
     port = serial.serial_for_url("loop://")
     monkeypatch.setattr(serial_port, "_open", lambda *_: port)
@@ -118,7 +118,7 @@ def test_replacement_guardian_does_not_search_ports(monkeypatch: pytest.MonkeyPa
 def test_board_of_running_program_is_not_reported() -> None:
     import fcntl  # other test files import this file on Windows
 
-    with left("/dev/ttyUSB0").open("rb") as file:
+    with write_driven_file("/dev/ttyUSB0").open("rb") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         assert driven_boards() == {}
     assert len(driven_boards()) == 1
@@ -147,14 +147,14 @@ def test_board_whose_guardian_ends_meanwhile_is_not_reported(
         path.unlink()
         return False  # the lock of a removed file
 
-    left("/dev/ttyUSB0")
+    write_driven_file("/dev/ttyUSB0")
     monkeypatch.setattr(driven, "is_locked", end_guardian)
     assert driven_boards() == {}
 
 
 @pytest.mark.parametrize("text", ["", "port: x\n", "\xff\0", "line: fast N 1\n", "x" * 9999])
 def test_damaged_file_warns_of_motors(text: str, caplog: pytest.LogCaptureFixture) -> None:
-    file = left("/dev/ttyUSB0")
+    file = write_driven_file("/dev/ttyUSB0")
     file.write_text(text)
     assert driven_boards() == {file: None}
     assert driven_at("/dev/ttyUSB0") == (file, None)
@@ -164,7 +164,7 @@ def test_damaged_file_warns_of_motors(text: str, caplog: pytest.LogCaptureFixtur
 def test_board_is_found_at_changed_link(tmp_path: Path) -> None:
     link = tmp_path / "robot"
     link.symlink_to("/dev/pts/1")
-    file = left(str(link))
+    file = write_driven_file(str(link))
     link.unlink()
     link.symlink_to("/dev/pts/2")
     at, board = driven_at(str(link))
@@ -174,14 +174,14 @@ def test_board_is_found_at_changed_link(tmp_path: Path) -> None:
 
 
 def test_board_is_found_at_each_name_of_its_address() -> None:
-    file = left("socket://127.0.0.1:4000")
+    file = write_driven_file("socket://127.0.0.1:4000")
     for url in ("socket://localhost:4000", "socket://LOCALHOST:4000", "rfc2217://localhost:4000"):
         assert driven_file(url) == file
     assert driven_file("socket://localhost:4001") != file
 
 
 def test_board_is_logged_once(caplog: pytest.LogCaptureFixture) -> None:
-    left("/dev/ttyUSB7")
+    write_driven_file("/dev/ttyUSB7")
     driven_boards()
     driven_boards()
     warnings = [record for record in caplog.records if record.levelno == logging.WARNING]
@@ -199,7 +199,7 @@ def test_opening_a_port_stops_its_running_board(
     line.wait(0.1)
     line.close()
     assert simulator.show()["motors"][0]["speed"] == 64
-    file = left(simulator.url, SerialFormat(19200))
+    file = write_driven_file(simulator.url, SerialFormat(19200))
     transport = SerialTransport(PortSettings(simulator.url, SerialFormat(rate)))
     try:
         assert simulator.show()["motors"][0]["direction"] == "brake"

@@ -66,7 +66,7 @@ sys.stdin.readline()
 
 
 def test_lock_of_dead_program_does_not_count(tmp_path: Path) -> None:
-    """The guardian has the port open and holds the lock."""
+    """The guardian inherits the open port, so the lock outlives the program that took it."""
     port = tmp_path / "port"
     reading, writing = os.pipe()
     command = [sys.executable, "-c", _LOCK, str(port), str(reading)]

@@ -44,7 +44,7 @@ def test_python_sends_the_bytes_and_waits_for_replies() -> None:
 
 
 @pytest.mark.parametrize("language", Language)
-def test_rows_become_comments_with_warning_of_motor_commands(language: Language) -> None:
+def test_line_events_become_comments_and_motor_commands_add_a_warning(language: Language) -> None:
     code = rows_as_code(ROWS[:1], TrexDecoder(), language)
     assert "Opened" in code
     assert "WARNING" not in code

@@ -324,7 +324,7 @@ def require_reachable(attempt: InterruptedWrite) -> None:
     _reached.add(state)
 
 
-def require_order(attempt: InterruptedWrite, *, lost: int) -> None:
+def require_old_or_new_values(attempt: InterruptedWrite, *, lost: int) -> None:
     """Check that values are old or new, except for a limited number of defaults."""
     case, stored = attempt.case, attempt.stored
     before, after = case.before, case.after
@@ -338,8 +338,11 @@ def require_order(attempt: InterruptedWrite, *, lost: int) -> None:
     assert all(str(result.error) for result in attempt.results if result.error is not None)
 
 
-def passes_factory_line_settings(case: Case) -> bool:
-    """Return whether CRC stays on while line and polynomial change."""
+def goes_via_factory_settings(case: Case) -> bool:
+    """Return whether the write goes via the factory settings of the line.
+
+    It does if CRC stays on while both the line and the polynomial change.
+    """
     lines = [
         LineSettings.from_wire(values["uart_settings"]) for values in (case.before, case.after)
     ]
@@ -356,7 +359,7 @@ def test_power_cut_loses_only_values_being_written(name: str, first: int) -> Non
     for moment in moments(name)[first::3]:
         attempt = InterruptedWrite(CASES[name])
         attempt.at(moment, attempt.board.power_off).run()
-        require_order(attempt, lost=2 if passes_factory_line_settings(attempt.case) else 1)
+        require_old_or_new_values(attempt, lost=2 if goes_via_factory_settings(attempt.case) else 1)
         attempt.board.power_on()
         require_reachable(attempt)
 
@@ -368,7 +371,7 @@ def test_brief_power_cut_loses_only_values_being_written(name: str) -> None:
         attempt = InterruptedWrite(CASES[name])
         attempt.at(moment, attempt.board.power_off)
         attempt.at(moment + 0.01, attempt.board.power_on).run()
-        require_order(attempt, lost=2 if passes_factory_line_settings(attempt.case) else 1)
+        require_old_or_new_values(attempt, lost=2 if goes_via_factory_settings(attempt.case) else 1)
         attempt.harness.line.advance(0.01)
         require_reachable(attempt)
         attempt.board.power_cycle()
@@ -384,7 +387,7 @@ def test_unplugged_cable_leaves_every_value_valid(name: str) -> None:
         attempt = InterruptedWrite(CASES[name])
         attempt.at(moment, attempt.harness.line.unplug).run()
         attempt.harness.line.advance(0.1)
-        require_order(attempt, lost=int(passes_factory_line_settings(attempt.case)))
+        require_old_or_new_values(attempt, lost=int(goes_via_factory_settings(attempt.case)))
         attempt.harness.line.plug()
         if attempt.case.expanded:
             require_reachable(attempt)
@@ -417,7 +420,7 @@ def test_port_loss_is_reported_for_all_remaining_settings(name: str) -> None:
 
         attempt.at(moment, pull).run()
         attempt.harness.line.advance(0.1)
-        require_order(attempt, lost=int(passes_factory_line_settings(attempt.case)))
+        require_old_or_new_values(attempt, lost=int(goes_via_factory_settings(attempt.case)))
         failed = [result for result in attempt.results if result.error is not None]
         assert all(isinstance(result.error, PortUnavailable) for result in failed)
         assert attempt.results[len(attempt.results) - len(failed) :] == tuple(failed)
@@ -448,7 +451,7 @@ def test_write_ends_when_board_returns_in_rc_mode() -> None:
     attempt.board.mode_jumper = "rc"
     attempt.at(0.2, attempt.board.power_off).at(0.21, attempt.board.power_on).run()
     assert "not in serial mode" in str(attempt.results[-1].error)
-    require_order(attempt, lost=1)
+    require_old_or_new_values(attempt, lost=1)
 
 
 # --- Cancelled writes -------------------------------------------------------------------

@@ -7,7 +7,7 @@ from trex_gui.devices.trex.driving.wheels import (
     LEFT,
     RIGHT,
     Wheel,
-    front_and_back,
+    both_sides_of_each,
     packed,
     setpoints_of,
     unpacked,
@@ -33,7 +33,7 @@ def speeds(setpoints: dict[int, SetMotor | SetMotors]) -> dict[int, dict[int, in
 
 
 def test_each_side_drives_its_motors() -> None:
-    assert speeds(setpoints_of(front_and_back((7, 9)), BOTH)) == {
+    assert speeds(setpoints_of(both_sides_of_each((7, 9)), BOTH)) == {
         7: {1: 30, 2: -20},
         9: {1: 30, 2: -20},
     }

@@ -93,7 +93,7 @@ def test_board_state_is_described(snapshot: DemoSnapshot, text: str) -> None:
 )
 def test_pattern_is_lit_and_dark_in_turn(pattern: str, lit: float, dark: float) -> None:
     assert not is_lit("unknown", lit)
-    assert is_lit(pattern, 0.0), "pictures show the LED lit"
+    assert is_lit(pattern, 0.0), "lit at time 0, when the pictures of the help are taken"
     assert is_lit(pattern, lit)
     assert is_lit(pattern, lit + 3)
     assert not is_lit(pattern, dark)

@@ -45,7 +45,7 @@ class DriveStatus:
 
 class SetpointSource(Enum):
     UNKNOWN = auto()
-    JOINT = auto()  # setpoint of motor 1: both drivers work as one motor
+    JOINT = auto()  # joint mode: both motor drivers power motor 1
     SAFE_START = auto()  # safe-start holds the motor
     CHANNEL = auto()
     NOT_ARMED = auto()  # serial commands control the motor, but are not sent
@@ -57,7 +57,7 @@ class SetpointSource(Enum):
 class MotorSetpoint:
     source: SetpointSource
     speed: int = 0  # -127 to 127
-    may_turn: bool = False  # True if a disarmed motor may turn, since no stop was confirmed
+    may_turn: bool = False  # True if a disarmed motor may still turn, because no stop was confirmed
 
 
 AUXILIARY = 3  # motor of channel 3

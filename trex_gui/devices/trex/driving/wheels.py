@@ -32,8 +32,8 @@ class Wheel:
         return Drive.at(-drive.signed)
 
 
-def front_and_back(boards: Iterable[int]) -> tuple[Wheel, ...]:
-    """Return the wheels of boards that each drive both sides."""
+def both_sides_of_each(boards: Iterable[int]) -> tuple[Wheel, ...]:
+    """Return the wheels of boards that each drive both sides, such as one board per axle."""
     return tuple(Wheel(board, side, side) for board in boards for side in (LEFT, RIGHT))
 
 

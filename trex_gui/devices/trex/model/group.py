@@ -12,7 +12,7 @@ from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetpointRequest
 from trex_gui.devices.trex.driving.wheels import (
     Wheel,
-    front_and_back,
+    both_sides_of_each,
     packed,
     setpoints_of,
     unpacked,
@@ -54,7 +54,7 @@ class BoardGroup(QObject):
             saved = unpacked(Preferences().text(self._preference_key(boards)))
             if {wheel.board for wheel in saved} == set(boards):
                 return saved
-        return front_and_back(boards)
+        return both_sides_of_each(boards)
 
     def join(self, wheels: Sequence[Wheel]) -> None:
         """Reopen the line to drive the boards of these wheels together."""
