@@ -11,9 +11,10 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
+from io import FileIO
 from itertools import repeat
 from pathlib import Path
-from threading import Thread
+from threading import Event, Thread
 from typing import Any
 
 import pytest
@@ -21,7 +22,7 @@ import pytest
 from tests.support.simulator import StartSimulator
 from trex_gui.core.crash_detection import is_locked
 from trex_gui.core.guardian import process
-from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence
+from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence, _message
 from trex_gui.core.guardian.log import StopResult, log_file, logged_stops
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport
@@ -134,6 +135,33 @@ def test_every_board_must_confirm_the_stop(guardian: GuardianProcess, board: Boa
     round_ = both.packets + both.queries[0] + both.queries[1]
     assert board.received == both.packets + 3 * round_
     assert logged(guardian) is StopResult.CONFIRMED
+
+
+def test_slow_disk_delays_only_the_removal_of_the_file(
+    ends: Ends, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    disk, file = Event(), tmp_path / "driven" / "port.txt"
+    monkeypatch.setattr(os, "fsync", lambda _descriptor: disk.wait(LONG_TIMEOUT))
+    (messages, send), (replies, reply) = os.pipe(), os.pipe()
+    port = process.SocketPort(ends[0].detach())
+    files = str(tmp_path / "log.txt"), str(file)
+    streams = FileIO(messages), FileIO(reply, "w")
+    thread = Thread(target=process.Watchdog(port, LONG_SILENCE, files, *streams).run)
+    thread.start()
+    try:
+        os.write(send, f"{_message(STOP)}\nidle\nend\n".encode())
+        with FileIO(replies) as lines:
+            assert any(line == b"closed\n" for line in lines)
+        assert ends[1].recv(1) == b"", "the port is closed"
+        wait_until(file.exists)
+        assert is_locked(file), "the board does not count as left running"
+    finally:
+        disk.set()
+        os.close(send)
+        thread.join(LONG_TIMEOUT)
+        for stream in streams:
+            stream.close()
+    assert not file.exists()
 
 
 def logged(guardian: GuardianProcess) -> StopResult:

@@ -138,7 +138,7 @@ class GuardianProcess:
                         self.has_acted = True
                     case b"confirmed":
                         self._is_confirmed = True
-                    case b"unconfirmed":
+                    case b"unconfirmed" | b"closed":
                         self._ended.set()  # the port is closed; a disk may still block the process
         process.wait()
         # Locked, because a new file could get the descriptor of the closed pipe.
@@ -189,7 +189,8 @@ class GuardianProcess:
         # Without this message, the process would assume that the program has died.
         is_notified = self._send("end")
         seconds = _ABORT_TIMEOUT_S if self.has_acted else 0.0 if is_suspended else _END_TIMEOUT_S
-        if self._process is not None and not self._ended.wait(seconds) and is_notified:
+        has_ended = self._ended.wait(seconds) or self._is_confirmed
+        if self._process is not None and not has_ended and is_notified:
             log.warning("the guardian process does not respond")
             self._process.kill()
             self._ended.wait(_END_TIMEOUT_S)

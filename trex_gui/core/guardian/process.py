@@ -237,6 +237,7 @@ class StopMessage:
         self.note = bytes.fromhex(note)
 
 
+_DISK_TIMEOUT_S = 60.0
 FINISHED = b"finished\n"  # content of a file that `maintain_file` is about to remove
 
 
@@ -302,8 +303,13 @@ class Watchdog:
         self._reply("ready")
         if (due := self._supervise()) is not None:
             self._act(*due)
+        else:
+            with suppress(OSError):
+                self._port.close()
+            self._reply("closed")
         self._notes.put(None)
-        self._writer.join(2.0)  # a disk may hang
+        # The file must not outlive the process after a stop. The disk may be slow, or hang.
+        self._writer.join(_DISK_TIMEOUT_S)
 
     def _act(self, stop: StopMessage, reason: str) -> None:
         self._reply("stopping")
