@@ -146,7 +146,13 @@ def test_slow_disk_delays_only_the_removal_of_the_file(
     port = process.SocketPort(ends[0].detach())
     files = str(tmp_path / "log.txt"), str(file)
     streams = FileIO(messages), FileIO(reply, "w")
-    thread = Thread(target=process.Watchdog(port, LONG_SILENCE, files, *streams).run)
+    watchdog = process.Watchdog(port, LONG_SILENCE, files, *streams)
+
+    def run() -> None:
+        with streams[1]:  # closed at the end, so that a missing reply does not block the test
+            watchdog.run()
+
+    thread = Thread(target=run)
     thread.start()
     try:
         os.write(send, f"{_message(STOP)}\nidle\nend\n".encode())
@@ -159,8 +165,7 @@ def test_slow_disk_delays_only_the_removal_of_the_file(
         disk.set()
         os.close(send)
         thread.join(LONG_TIMEOUT)
-        for stream in streams:
-            stream.close()
+        streams[0].close()
     assert not file.exists()
 
 

@@ -80,8 +80,7 @@ _LOST_AFTER = 5.0  # seconds without a report after which the connection ends
 _REPLY_TIMEOUT = 3.0  # seconds until the server replies to a `Hello` or a lease request
 _STOP_TIMEOUT = 1.0  # seconds until the last stop is confirmed
 _STOP_INTERVAL = 0.25  # seconds until an unconfirmed stop is repeated
-_LAST_STOP_ID = -2  # id of the stop that precedes `Leave`
-_FIRST_STOP_ID = -3  # id of the stop after `Welcome` if motors may still be moving
+_OWN_STOP_ID = -2  # id of the stops of the session itself, after `Welcome` and before `Leave`
 _DELAY_INTERVAL = 1.0  # seconds between two reports of the network delay
 
 
@@ -140,7 +139,7 @@ class RemoteSession:
         self._close()
         if self._waiting is not None:
             self._unanswered |= {getattr(inner_request(r), "id", 0) for r in self._waiting.requests}
-        for number in self._unanswered - {0, _FIRST_STOP_ID, _LAST_STOP_ID}:
+        for number in self._unanswered - {0, _OWN_STOP_ID}:
             self._emit(Outcome(number, error=error or NoReply(self._lost_text)))
         self._emit(self._closed or Closed(error, self._may_move))
 
@@ -168,7 +167,7 @@ class RemoteSession:
             return
         try:
             if self._may_move and self._closed is None:
-                self._forward(Stop(_LAST_STOP_ID))
+                self._forward(Stop(_OWN_STOP_ID))
                 deadline = self._clock() + _STOP_TIMEOUT
                 while self._may_move and self._clock() < deadline:
                     self._inbox.get(_SLICE)
@@ -333,7 +332,7 @@ class RemoteSession:
                 self._welcome = report
                 self._send(self._watched)
                 if self._may_move:
-                    self._forward(Stop(_FIRST_STOP_ID))
+                    self._forward(Stop(_OWN_STOP_ID))
             case Refused(reason=reason):
                 raise PortUnavailable(reason)
             case Tick():
@@ -398,7 +397,7 @@ class RemoteSession:
         confirmed = self._stops.pop(outcome.id, None) is not None and outcome.error is None
         if confirmed:
             self._may_move = False
-        if outcome.id in {_FIRST_STOP_ID, _LAST_STOP_ID}:
+        if outcome.id == _OWN_STOP_ID:
             return MotorsStopped(None, confirmed=True) if confirmed else None
         if not isinstance(written := outcome.value, Written):
             return outcome
