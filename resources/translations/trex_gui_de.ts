@@ -1383,8 +1383,6 @@
         <translation>{0:.1f} % verloren</translation></message>
     <message><source>{0}: noisy; shorten cable, check ground, use CRC</source>
         <translation>{0}: gestört; Kabel kürzen, Masse prüfen, CRC verwenden</translation></message>
-    <message><source>The stop is not confirmed. If a motor is still turning, cut its power.</source>
-        <translation>Der Stopp ist nicht bestätigt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
         <translation>{0} Ein Stopp wurde gesendet, ist aber noch nicht bestätigt.</translation></message>
     <message><source>{0}. The stop is not confirmed: {1} If a motor is still turning, cut its power.</source>
@@ -1983,6 +1981,8 @@
         <translation>{0!r} sind keine Einstellungen eines Boards</translation></message>
     <message><source>Measured currents may be off by 20 % (twin).</source>
         <translation>Das Board misst Ströme vielleicht um 20 % falsch (Zwilling).</translation></message>
+    <message><source>The stop is not confirmed. If a motor is still turning, cut its power.</source>
+        <translation>Der Stopp ist nicht bestätigt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The stop was sent, but has no effect yet: the channels control the motors until channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
         <translation>Der Stopp wurde gesendet, aber die Kanäle steuern die Motoren: Er wirkt erst, wenn Kanal 5 die Steuerung an serielle Befehle übergibt. Lassen Sie die Knüppel los, oder trennen Sie die Motorversorgung.</translation></message>
     <message><source>minimum</source>

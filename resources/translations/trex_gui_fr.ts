@@ -1383,8 +1383,6 @@
         <translation>{0:.1f} % de pertes</translation></message>
     <message><source>{0}: noisy; shorten cable, check ground, use CRC</source>
         <translation>{0} : bruitée ; raccourcir le câble, vérifier la masse, utiliser le CRC</translation></message>
-    <message><source>The stop is not confirmed. If a motor is still turning, cut its power.</source>
-        <translation>L'arrêt n'est pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
         <translation>{0} Un ordre d'arrêt a été envoyé, mais n'est pas encore confirmé.</translation></message>
     <message><source>{0}. The stop is not confirmed: {1} If a motor is still turning, cut its power.</source>
@@ -1983,6 +1981,8 @@
         <translation>{0!r} ne correspond pas aux réglages d'une carte</translation></message>
     <message><source>Measured currents may be off by 20 % (twin).</source>
         <translation>La carte peut se tromper de 20 % en mesurant les courants (jumeau).</translation></message>
+    <message><source>The stop is not confirmed. If a motor is still turning, cut its power.</source>
+        <translation>L'arrêt n'est pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>The stop was sent, but has no effect yet: the channels control the motors until channel 5 gives control to serial commands. Release the sticks, or cut the power.</source>
         <translation>L'ordre d'arrêt a été envoyé, mais les voies commandent les moteurs : il n'agit que lorsque la voie 5 donne la main aux commandes série. Relâchez les manches ou coupez l'alimentation.</translation></message>
     <message><source>minimum</source>

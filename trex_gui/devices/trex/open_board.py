@@ -25,6 +25,7 @@ from trex_gui.devices.trex.driving.requests import (
     Stop,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.descriptions import STOP_UNCONFIRMED
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.serve.sessions import session_at
 from trex_gui.devices.trex.session.messages import (
@@ -48,7 +49,6 @@ _LATE = (
 )
 _STOP_TIMEOUT = 10.0  # maximum seconds until a stop is confirmed
 _STOPPED = "The motors were stopped."
-_UNCONFIRMED = "The stop is not confirmed. If a motor is still turning, cut its power."
 _MAX_QUEUED = 1000  # unread reports of a line, and unread events of a board
 
 
@@ -195,8 +195,8 @@ class OpenSession:
         closed = self.close()
         if closed is not None and closed.may_move:
             if error is None:
-                raise NoReply(_UNCONFIRMED)
-            error.add_note(_UNCONFIRMED)
+                raise NoReply(STOP_UNCONFIRMED)
+            error.add_note(STOP_UNCONFIRMED)
 
 
 class OpenBoard:
@@ -251,14 +251,14 @@ class OpenBoard:
             case Connected(occasion=occasion, may_move=may_move) if (
                 self.session.is_armed and occasion is not ReadReason.RELOADED
             ):
-                end = _UNCONFIRMED if may_move else _STOPPED
+                end = STOP_UNCONFIRMED if may_move else _STOPPED
                 self._fail(f"The board was restarted, or a setting was changed. {end}")
             case NotResponding(reason=reason):
                 self.session.is_armed = False
                 raise NoReply(self.named(f"The board has stopped responding: {reason}"))
             case MotorsStopped(reason=code, confirmed=confirmed, board=number) if code is not None:
                 cause = _LATE if code is ErrorCode.NO_HEARTBEAT else describe(code, (number,))
-                end = _STOPPED if confirmed else _UNCONFIRMED
+                end = _STOPPED if confirmed else STOP_UNCONFIRMED
                 self._fail(f"{cause} {end}", is_named=number is not None)
 
     def _handle_status(self, latched: LatchedStatus) -> None:

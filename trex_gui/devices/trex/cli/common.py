@@ -30,7 +30,11 @@ from trex_gui.devices.trex.client.reading import read_reliably, read_signature, 
 from trex_gui.devices.trex.diagnosis import diagnose
 from trex_gui.devices.trex.discovery import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
+from trex_gui.devices.trex.protocol.connection_settings import (
+    FACTORY_NUMBER,
+    ConnectionSettings,
+    numbers_in,
+)
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.errors import (
     BoardElsewhere,
@@ -59,8 +63,6 @@ def complete_parameter(
         CompletionItem(key, help=name) for key, name in rows.items() if key.startswith(incomplete)
     ]
 
-
-_FACTORY_NUMBER = 7
 
 crc_option = click.option("--crc", is_flag=True, help="End every packet with a CRC-7.")
 polynomial_option = click.option(
@@ -98,7 +100,8 @@ link_options = all_options(
     click.option(
         "--device",
         type=click.IntRange(0, 127),
-        help="Device number of the board. Implies --protocol expanded.  [default: 7]",
+        help="Device number of the board. Implies --protocol expanded.  "
+        f"[default: {FACTORY_NUMBER}]",
     ),
     click.option(
         "--protocol",
@@ -127,7 +130,7 @@ def link_settings(options: Mapping[str, Any], url: str | None = None) -> Connect
     line = LineSettings(options["baud"], detection, options["stop_bits"])
     number, protocol = options["device"], options["protocol"]
     if options["reserve"] or protocol == "expanded" or (protocol is None and number is not None):
-        number = _FACTORY_NUMBER if number is None else number
+        number = FACTORY_NUMBER if number is None else number
     else:
         number = None
     timeouts = Timeouts(extra=options["extra_timeout"])

@@ -54,7 +54,7 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, turning_text
 from trex_gui.devices.trex.protocol.commands import GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.descriptions import STOP_WITHOUT_EFFECT
+from trex_gui.devices.trex.protocol.descriptions import STOP_UNCONFIRMED, STOP_WITHOUT_EFFECT
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.flags import UartError
@@ -138,7 +138,6 @@ _CAUSES = {
     TimeoutStop.FAILED: "Serial Timeout did not stop the motors of this board when it was tried",
     TimeoutStop.REFUTED: "Serial Timeout did not stop the motors of this board when it was tried",
 }
-_UNCONFIRMED = "The stop is not confirmed. If a motor is still turning, cut its power."
 
 
 @click.command()
@@ -184,7 +183,7 @@ def _stop_served(names: Sequence[str]) -> None:
             "No served board was found, so no stop was sent. If a motor is turning, cut its power."
         )
     if any(results.values()):
-        raise CommandFailed(_UNCONFIRMED)
+        raise CommandFailed(STOP_UNCONFIRMED)
 
 
 def _stop_at(settings: ConnectionSettings) -> None:
@@ -218,7 +217,7 @@ def _stop_problem(client: TrexClient, run: StopRun) -> str:
         try:
             identify(client, quick=True)  # raises an error that explains a missing reply
         except (NoReply, BadReply) as error:
-            return f"{_UNCONFIRMED} {error}"
+            return f"{STOP_UNCONFIRMED} {error}"
         return (
             "The stop was sent repeatedly, but each time the board reported errors on the line. "
             "If a motor is still turning, cut its power."

@@ -26,6 +26,7 @@ from trex_gui.core.resource_files import resource
 from trex_gui.core.transport.urls import PORT, Address, is_name
 from trex_gui.devices.trex.cli.common import boards_option, grouped, link_options, link_settings
 from trex_gui.devices.trex.library import Trex
+from trex_gui.devices.trex.protocol.descriptions import STOP_UNCONFIRMED
 from trex_gui.devices.trex.serve.lease import Role, User
 from trex_gui.devices.trex.serve.robots import Robots, require_network
 
@@ -147,9 +148,7 @@ def serve(
         with Interruption(must_finish=True) as interrupted:
             last = board.run(lambda: bool(interrupted))
     if last.may_move:
-        raise CommandFailed(
-            "The stop is not confirmed. If a motor is still turning, cut its power."
-        )
+        raise CommandFailed(STOP_UNCONFIRMED)
 
 
 def _is_local(name: str) -> bool:

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.model.loss_while_driven import LossWhileDriven
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
-from trex_gui.devices.trex.protocol.descriptions import STOP_WITHOUT_EFFECT
+from trex_gui.devices.trex.protocol.descriptions import STOP_UNCONFIRMED, STOP_WITHOUT_EFFECT
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.framing import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -199,9 +199,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             return ""
         texts = [self.device.driving.lost_board]
         if self.may_move:
-            texts.append(
-                tr("The stop is not confirmed. If a motor is still turning, cut its power.")
-            )
+            texts.append(tr(STOP_UNCONFIRMED))
         return "\n".join(filter(None, texts))
 
     @property

@@ -10,6 +10,8 @@ from trex_gui.devices.trex.protocol.flags import seven_bits
 from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL, Framing, check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
+FACTORY_NUMBER = 7
+
 
 def numbers_in(text: str) -> frozenset[int]:
     """Parse device numbers such as `0,1`. Raise ValueError for any other text."""

@@ -67,6 +67,7 @@ CHANNEL_ROLES = {  # in RC and analog mode; in serial mode, the channels are onl
     5: tr_noop("serial override switch"),
 }
 
+STOP_UNCONFIRMED = tr_noop("The stop is not confirmed. If a motor is still turning, cut its power.")
 STOP_WITHOUT_EFFECT = tr_noop(
     "The stop was sent, but has no effect yet: the channels control the motors until channel "
     "5 gives control to serial commands. Release the sticks, or cut the power."

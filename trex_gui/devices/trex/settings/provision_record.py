@@ -13,11 +13,11 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import load, save_over
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.discovery import NUMBERS
+from trex_gui.devices.trex.protocol.connection_settings import FACTORY_NUMBER
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
 
-FACTORY_NUMBER = 7  # never assigned, so a board with this number is always new
 NEW, KNOWN, NUMBER_ONLY = "new", "known", "number only"  # certainty of a board's identity
 BEGUN, SKIPPED = "begun", "skipped"  # results
 ENDED_IN_MOTOR_TEST = "ended during the motor test"

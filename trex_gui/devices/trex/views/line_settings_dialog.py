@@ -9,7 +9,11 @@ from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
+from trex_gui.devices.trex.protocol.connection_settings import (
+    FACTORY_NUMBER,
+    ConnectionSettings,
+    numbers_in,
+)
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.views.pages.parameters.editors import LineSettingsEditor
 from trex_gui.ui.widgets import builders as ui
@@ -77,7 +81,7 @@ class LineSettingsDialog(ReusedDialog):
         self._polynomial.setValue(settings.polynomial)
         number = settings.device_number
         self._addressed.setChecked(number is not None)
-        self._number.setValue(7 if number is None else number)
+        self._number.setValue(FACTORY_NUMBER if number is None else number)
         self._reserved.setText(settings.reserved_text)
         self._on_changed()
 
