@@ -147,12 +147,11 @@ class _Setup:
 
     def _set_up(self, trex: Trex) -> bool:
         try:
-            rows = self._differing(trex)
-        except BadRequest as error:  # another model, but the next board may fit
+            rows, stored = self._differing(trex), settings_of(trex.state)
+            board = self.record.propose(stored, str(trex.state.signature), rows)
+        except BadRequest as error:  # such as another model, but the next board may fit
             say(str(error))
             return True
-        stored = settings_of(trex.state)
-        board = self.record.propose(stored, str(trex.state.signature), rows)
         say(f"\n{board.board}, {board.certainty}: {board.name}, device number {board.number}")
         for row in rows:
             say(f"  {row.name}: {row.text_before or 'not known'} -> {row.text_after}")

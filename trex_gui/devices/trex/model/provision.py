@@ -124,23 +124,15 @@ class Provision(QObject):
 
     def _review(self) -> None:
         try:
-            self._propose()
+            self.comparison = self._compare()
+            if self._record is not None and (stored := self._device.draft.stored):
+                signature, rows = str(self._device.signature or ""), self.comparison.rows
+                self.board = self._record.propose(stored, signature, rows)
         except BadRequest as error:
             self.board, self.comparison = None, Comparison(())
             self._set_step(ProvisionStep.UNPLUG, error_text(error))
         else:
             self._set_step(ProvisionStep.REVIEW)
-
-    def _propose(self) -> None:
-        """Compare the board with the profile, and propose an entry. Raises BadRequest."""
-        self.comparison = self._compare()
-        draft, record = self._device.draft, self._record
-        if record is None or (stored := draft.stored) is None:
-            return
-        if (key := ParameterKey.DEVICE_NUMBER) not in stored.parameters:
-            raise BadRequest(f"{draft.name_of(key)}: {tr('not read')}")
-        signature = str(self._device.signature or "")
-        self.board = record.propose(stored, signature, self.comparison.rows)
 
     def _compare(self) -> Comparison:
         state, stored = self._device.state, self._device.draft.stored

@@ -72,8 +72,14 @@ class ProvisionRecord:
     def propose(
         self, stored: Settings, board: str, differing: Collection[ComparisonRow]
     ) -> ProvisionedBoard:
-        """Return a row for a board. A new board gets a free number and a name."""
-        number, calibrations = stored.parameters[ParameterKey.DEVICE_NUMBER], fingerprint(stored)
+        """Return a row for a board. A new board gets a free number and a name.
+
+        Raises:
+            BadRequest: the device number was not read, or no number is free.
+        """
+        if (key := ParameterKey.DEVICE_NUMBER) not in stored.parameters:
+            raise BadRequest(f"{stored.specs[key].name}: {tr('not read')}")
+        number, calibrations = stored.parameters[key], fingerprint(stored)
         known = self._known(number)
         assigned = self.free_number() if known is None else number
         certainty = NEW
