@@ -103,6 +103,25 @@ def test_drive_ends_with_error_of_the_board(
         Program(virtual_time, run).end()
 
 
+def test_drive_ends_when_channels_take_control(
+    virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("jumper mode rc", "power cycle")
+    virtual_time.advance(1)  # ends safe-start
+    quick_simulator.do("channel 5 1000us")  # gives control to serial commands
+
+    def run() -> None:
+        with Trex(quick_simulator.url) as trex:
+            trex.drive(80)
+            trex.wait(0.3)
+            assert motor(quick_simulator) == ("forward", 80)
+            quick_simulator.do("channel 5 2000us")
+            trex.wait(2)
+
+    with pytest.raises(MotorsStoppedError, match="RC channels control the motors"):
+        Program(virtual_time, run).end()
+
+
 def test_measurements_continue_after_return_of_board(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:

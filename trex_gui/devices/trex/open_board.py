@@ -240,8 +240,8 @@ class OpenBoard:
                     yield event
                 case Sample():
                     yield event
-                case DriveLost(reason=reason) if self._number is not None:
-                    self._stop_all(reason)  # the other boards must not drive on without this one
+                case DriveLost(reason=reason):
+                    self._stop_all(reason)
                 case Event():
                     self.events.append(event)
         match report:
